@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -44,6 +45,10 @@ class FileSource : public ByteSource {
     return static_cast<std::size_t>(count);
   }
   void rewind() override { ::lseek(descriptor_, 0, SEEK_SET); }
+  bool is_seekable() const override { return true; }
+  void skip(std::uint64_t count) override {
+    ::lseek(descriptor_, static_cast<off_t>(count), SEEK_CUR);
+  }
 
  private:
   [[noreturn]] void cannot_open() const { throw BadInput(name_, 0, describe_open_error(errno)); }
@@ -66,6 +71,10 @@ class MemorySource : public ByteSource {
     return count;
   }
   void rewind() override { at_ = 0; }
+  bool is_seekable() const override { return true; }
+  void skip(std::uint64_t count) override {
+    at_ += static_cast<std::size_t>(std::min<std::uint64_t>(count, bytes_.size() - at_));
+  }
 
  private:
   std::string name_;
@@ -74,6 +83,16 @@ class MemorySource : public ByteSource {
 };
 
 }  // namespace
+
+void ByteSource::skip(std::uint64_t count) {
+  std::array<char, 4096> block{};
+  while (count > 0) {
+    const auto part = static_cast<std::size_t>(std::min<std::uint64_t>(count, block.size()));
+    const auto taken = read({block.data(), part});
+    if (taken == 0) return;
+    count -= taken;
+  }
+}
 
 std::string describe_open_error(int error) {
   return error == ENOENT ? "file does not exist"

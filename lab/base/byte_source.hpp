@@ -26,6 +26,11 @@ class ByteSource {
   virtual void rewind() = 0;
   /// The bytes as they lie on disk, where read() gives a sheet in them as text; else this one.
   virtual ByteSource& file() { return *this; }
+  /// Passes over `count` bytes, or the rest if there are fewer. Reads them unless the medium can do
+  /// without.
+  virtual void skip(std::uint64_t count);
+  /// Whether skip() takes no time.
+  virtual bool is_seekable() const { return false; }
 };
 
 /// "file does not exist", or "cannot be opened: " and the system's reason for `error` (errno).

@@ -21,7 +21,18 @@ extern const std::span<const EmbeddedFile> kShippedMaterials;
 extern const std::span<const EmbeddedFile> kShippedInstruments;
 /// lab/wire/personalities/*.toml (how instruments on the wire are asked and set)
 extern const std::span<const EmbeddedFile> kShippedPersonalities;
+/// lab/intake/lexicon/stages.toml (words for stages, names of types of tests)
+extern const std::span<const EmbeddedFile> kStageWords;
 /// lab/ags/dictionary/*.txt (groups of AGS4)
 extern const std::span<const EmbeddedFile> kAgsDictionary;
+/// lab/intake/lexicon/*.toml (names of columns, labels, stages and software), by name
+extern const std::span<const EmbeddedFile> kLexiconFiles;
+/// lab/intake/units.toml (spellings of units)
+extern const std::span<const EmbeddedFile> kUnitFiles;
+
+/// lab/intake/cells/clock_words.toml (months, marks and zones in cells of clocks)
+extern const std::span<const EmbeddedFile> kClockWords;
+/// lab/intake/lexicon/fill_values.toml (cells that hold no value)
+extern const std::span<const EmbeddedFile> kFillValues;
 
 }  // namespace triax::lab

@@ -29,7 +29,7 @@ bool LineReader::fill() {
             buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
   end_ -= begin_;
   begin_ = 0;
-  if (end_ > kLongestLine)
+  if (end_ > kMaxLine_bytes)
     throw BadInput(source_.name(), line_number_ + 1,
                    "the line is longer than 1 MB; expected a text file with one reading per line");
   if (buffer_.size() - end_ < block_) buffer_.resize(buffer_.size() + block_);

@@ -9,7 +9,7 @@
 namespace triax::lab {
 
 /// Longest line that is taken for a line of a record, bytes.
-inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;
+inline constexpr std::size_t kMaxLine_bytes = std::size_t{1} << 20;
 
 /// Lines of a text file in constant memory: no more than one block and one line are held.
 /// A byte-order mark is dropped, LF and CR LF both end a line.
@@ -19,7 +19,7 @@ class LineReader {
   explicit LineReader(ByteSource& source);
 
   /// The next line without its end, valid until the next call; false at the end of the file.
-  /// Throws BadInput on a line above kLongestLine and on NUL bytes: that is no text.
+  /// Throws BadInput on a line above kMaxLine_bytes and on NUL bytes: that is no text.
   bool next(std::string_view& line);
   /// Number of the line that next() gave last, from 1.
   std::int64_t line_number() const { return line_number_; }

@@ -275,6 +275,11 @@ bool TomlTable::is_table(std::string_view key) const {
   return node && node->is_table();
 }
 
+bool TomlTable::is_number(std::string_view key) const {
+  const auto* node = impl_->table->get(key);
+  return node && node->is_number();
+}
+
 std::vector<std::string> TomlTable::keys() const {
   std::vector<std::pair<toml::source_position, std::string>> found;
   for (const auto& [key, node] : *impl_->table)

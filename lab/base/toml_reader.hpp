@@ -64,6 +64,7 @@ class TomlTable {
 
   bool has(std::string_view key) const;
   bool is_table(std::string_view key) const;
+  bool is_number(std::string_view key) const;
   /// Keys in the order of the file.
   std::vector<std::string> keys() const;
   std::int64_t line(std::string_view key) const;

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/intake/course_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "lab/base/statistics.hpp"
+
+namespace triax::lab {
+namespace {
+
+/// The value that is farthest from the first.
+double farthest_change(const std::vector<double>& values) {
+  double out = 0;
+  for (const double value : values)
+    if (std::fabs(value - values.front()) > std::fabs(out)) out = value - values.front();
+  return out;
+}
+
+/// Median of the second differences, which a smooth curve does not have.
+double noise_of(const std::vector<double>& values) {
+  std::vector<double> bends;
+  for (std::size_t i = 2; i < values.size(); ++i)
+    bends.push_back(std::fabs(values[i] - 2 * values[i - 1] + values[i - 2]) / 2);
+  return bends.empty() ? 0 : median(std::move(bends));
+}
+
+bool are_whole(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double value) { return value == std::round(value); });
+}
+
+}  // namespace
+
+double common_direction_evidence(const Identity& identity, SeriesSpan s,
+                                 const SpecimenValues& /*specimen*/) {
+  constexpr double kRelevant = 3;
+  std::vector<double> x, y;
+  for (std::size_t row = 0; row < s[0]->values.size(); ++row)
+    if (is_complete(s, row)) {
+      x.push_back(s[0]->values[row]);
+      y.push_back(s[1]->values[row]);
+    }
+  if (x.size() < kMinRows) return 0;
+  // Without the first readings of the load it is compared with 0, which it has at first.
+  const bool is_whole = !std::isnan(s[1]->values.front());
+  const double y_first = is_whole ? y.front() : 0;
+  const double x_first = is_whole ? x.front() : known_values(*s[0]).front();
+  const auto at =
+      std::ranges::max_element(y, {}, [&](double value) { return std::fabs(value - y_first); });
+  const double dy = *at - y_first;
+  const double dx = x[static_cast<std::size_t>(at - y.begin())] - x_first;
+  if (std::fabs(dy) <= kRelevant * s[1]->half_unit || std::fabs(dx) <= kRelevant * s[0]->half_unit)
+    return 0;
+  return dx * dy > 0 ? identity.highest : identity.lowest;
+}
+
+double compression_evidence(const Identity& identity, SeriesSpan s,
+                            const SpecimenValues& /*specimen*/) {
+  const auto values = known_values(*s[0]);
+  if (values.empty()) return 0;
+  return *std::ranges::max_element(values, {}, [](double v) { return std::fabs(v); }) > 0
+             ? identity.highest
+             : identity.lowest;
+}
+
+double first_contraction_evidence(const Identity& identity, SeriesSpan s,
+                                  const SpecimenValues& /*specimen*/) {
+  constexpr double kRelevant = 3, kFraction = 0.04;
+  const auto values = known_values(*s[0]);
+  if (values.size() <= kMinRows) return 0;
+  const double range = std::fabs(farthest_change(values));
+  const double rounding = std::max(s[0]->half_unit, noise_of(values));
+  if (range <= 2 * kRelevant * rounding) return 0;
+  const auto first = std::ranges::find_if(values, [&](double value) {
+    return std::fabs(value - values.front()) > std::max(kRelevant * rounding, kFraction * range);
+  });
+  if (first == values.end()) return 0;
+  return identity.factor * (*first - values.front()) > 0 ? identity.highest : identity.lowest;
+}
+
+double start_at_zero_evidence(const Identity& identity, SeriesSpan s,
+                              const SpecimenValues& /*specimen*/) {
+  constexpr double kFraction = 0.03, kPressure = 1, kDigits = 10;
+  const auto values = known_values(*s[0]);
+  if (values.empty()) return 0;
+  return std::fabs(values.front()) <=
+                 std::max({kDigits * s[0]->half_unit, kFraction * largest(values), kPressure})
+             ? identity.highest
+             : identity.lowest;
+}
+
+double start_above_zero_evidence(const Identity& identity, SeriesSpan s,
+                                 const SpecimenValues& /*specimen*/) {
+  constexpr double kFraction = 0.01, kPressure = 0.5, kSome = 1;
+  const auto values = known_values(*s[0]);
+  if (values.empty()) return 0;
+  const bool is_zero = std::fabs(values.front()) <=
+                       std::max({2 * s[0]->half_unit, kFraction * largest(values), kPressure});
+  return is_zero && largest(values) > kSome ? identity.lowest : identity.highest;
+}
+
+double same_start_evidence(const Identity& identity, SeriesSpan s,
+                           const SpecimenValues& /*specimen*/) {
+  constexpr double kFraction = 0.02, kPressure = 3;
+  const auto a = known_values(*s[0]), b = known_values(*s[1]);
+  if (a.empty() || b.empty()) return 0;
+  return std::fabs(a.front() - b.front()) <= std::max(kPressure, kFraction * std::fabs(b.front()))
+             ? identity.highest
+             : identity.lowest;
+}
+
+double order_evidence(const Identity& identity, SeriesSpan s, const SpecimenValues& /*specimen*/) {
+  double below = 0, rows = 0;
+  for (std::size_t row = 0; row < s[0]->values.size(); ++row) {
+    if (!is_complete(s, row)) continue;
+    ++rows;
+    if (s[0]->values[row] + s[0]->half_unit < s[1]->values[row] - s[1]->half_unit) ++below;
+  }
+  constexpr double kMaxFraction = 0.5;
+  return below > kMaxFraction * rows ? identity.lowest : identity.highest;
+}
+
+double no_tension_evidence(const Identity& identity, SeriesSpan s,
+                           const SpecimenValues& /*specimen*/) {
+  constexpr double kPressure = 5, kMaxFraction = 0.5;
+  const auto values = known_values(*s[0]);
+  const auto below = std::ranges::count_if(values, [](double value) { return value < -kPressure; });
+  return static_cast<double>(below) > kMaxFraction * static_cast<double>(values.size())
+             ? identity.lowest
+             : identity.highest;
+}
+
+double strain_range_evidence(const Identity& identity, SeriesSpan s,
+                             const SpecimenValues& /*specimen*/) {
+  constexpr double kOfATest = 0.015;
+  return largest(known_values(*s[0])) < kOfATest ? identity.lowest : identity.highest;
+}
+
+double displacement_range_evidence(const Identity& identity, SeriesSpan s,
+                                   const SpecimenValues& /*specimen*/) {
+  constexpr double kOfATest_mm = 0.5;
+  return largest(known_values(*s[0])) < kOfATest_mm ? identity.lowest : identity.highest;
+}
+
+double volume_range_evidence(const Identity& identity, SeriesSpan s,
+                             const SpecimenValues& /*specimen*/) {
+  constexpr double kOfATest_mm3 = 50, kMinChange_half_units = 6;
+  const auto values = known_values(*s[0]);
+  const double most = largest(values);
+  return most > kMinChange_half_units * s[0]->half_unit && most < kOfATest_mm3 ? identity.lowest
+                                                                               : identity.highest;
+}
+
+double one_direction_evidence(const Identity& identity, SeriesSpan s,
+                              const SpecimenValues& /*specimen*/) {
+  constexpr double kAgainst = 0.1;  // of the steps: several tests or stages follow each other
+  const auto values = known_values(*s[0]);
+  if (values.size() < kMinRows) return 0;
+  double forward = 0, back = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] > values[i - 1]) ++forward;
+    if (values[i] < values[i - 1]) ++back;
+  }
+  return std::min(forward, back) <= kAgainst * (forward + back) ? identity.highest
+                                                                : identity.lowest;
+}
+
+double row_numbers_evidence(const Identity& identity, SeriesSpan s,
+                            const SpecimenValues& /*specimen*/) {
+  const auto values = known_values(*s[0]);
+  if (values.size() < kMinRows) return 0;
+  const bool grows = std::ranges::adjacent_find(values, std::greater_equal<>()) == values.end();
+  const bool falls = std::ranges::adjacent_find(values, std::less_equal<>()) == values.end();
+  return are_whole(values) && (grows || falls) ? identity.highest : identity.lowest;
+}
+
+double counter_evidence(const Identity& identity, SeriesSpan s,
+                        const SpecimenValues& /*specimen*/) {
+  const auto values = known_values(*s[0]);
+  if (values.empty()) return 0;  // stages have names, too
+  if (!are_whole(values)) return identity.lowest;
+  const bool repeats = std::ranges::adjacent_find(values) != values.end();
+  return repeats && std::ranges::is_sorted(values) ? identity.highest : 0;
+}
+
+double held_value_evidence(const Identity& identity, SeriesSpan s,
+                           const SpecimenValues& /*specimen*/) {
+  const auto values = known_values(*s[0]);
+  if (values.empty()) return 0;
+  const auto [low, high] = std::ranges::minmax(values);
+  return high - low <= 2 * s[0]->half_unit ? identity.highest : identity.lowest;
+}
+
+double mixture_evidence(const Identity& identity, SeriesSpan /*s*/,
+                        const SpecimenValues& /*specimen*/) {
+  return identity.lowest;
+}
+
+double definition_evidence(const Identity& identity, SeriesSpan /*s*/,
+                           const SpecimenValues& /*specimen*/) {
+  return identity.highest;
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/intake/gauge_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "lab/intake/names/unit_names.hpp"
+
+namespace triax::lab {
+namespace {
+
+bool has_any(const Proposal& proposal, std::initializer_list<std::string_view> quantities) {
+  return std::ranges::any_of(quantities, [&](auto name) { return proposal.has(name); });
+}
+
+/// To SI, of a unit with one of its dimensions.
+std::optional<double> si_factor(const std::string& unit, std::string_view dimension) {
+  for (const UnitName* one : find_unit_names(unit))
+    if (one->dimension == dimension && one->power == 1 && one->offset == 0) return one->factor;
+  return std::nullopt;
+}
+
+/// The one value of a column of numbers that does not change.
+std::optional<double> constant_of(const TableColumn& column) {
+  std::optional<double> out;
+  for (const double value : column.all) {
+    if (std::isnan(value)) continue;
+    if (out && *out != value) return std::nullopt;
+    out = value;
+  }
+  return out;
+}
+
+/// In SI, of one of its two dimensions.
+struct RingFactor {
+  std::optional<double> per_division, per_length;
+};
+
+std::optional<RingFactor> ring_factor(const Proposal& proposal) {
+  if (const LabelValue* label = proposal.label("ring_factor"); label && label->value) {
+    const auto per_length = si_factor(label->unit, "force_per_length");
+    if (per_length) return RingFactor{{}, *label->value * *per_length};
+    return RingFactor{label->value, {}};  // in the unit of the label
+  }
+  const ColumnMeaning* column = proposal.meaning.of("ring_factor");
+  if (column == nullptr) return std::nullopt;
+  const auto place = static_cast<std::size_t>(column - proposal.meaning.columns.data());
+  const auto value = constant_of(proposal.table.columns[place]);
+  if (!value) return std::nullopt;
+  const auto times_value = [&](std::optional<double> factor) {
+    if (factor) *factor *= *value;
+    return factor;
+  };
+  return RingFactor{times_value(si_factor(column->reading.unit, "force_per_division")),
+                    times_value(si_factor(column->reading.unit, "force_per_length"))};
+}
+
+/// N per reading of a ring.
+std::optional<double> force_scale(const Proposal& proposal, const ColumnReading& reading) {
+  const auto factor = ring_factor(proposal);
+  if (!factor) return std::nullopt;
+  const auto length = si_factor(reading.unit, "length");
+  if (!length) return factor->per_division;
+  if (!factor->per_length) return std::nullopt;
+  return *factor->per_length * *length;
+}
+
+}  // namespace
+
+std::vector<GaugeColumn> find_gauge_columns(const Proposal& proposal) {
+  std::vector<GaugeColumn> out;
+  const bool needs_force =
+      !has_any(proposal, {"axial_force", "deviator_stress", "half_deviator_stress", "axial_stress",
+                          "effective_axial_stress", "deviator_stress_uncorrected"});
+  const bool needs_displacement =
+      !has_any(proposal, {"axial_displacement", "axial_strain", "specimen_height"});
+  for (std::size_t i = 0; i < proposal.meaning.columns.size(); ++i) {
+    const ColumnReading& reading = proposal.meaning.columns[i].reading;
+    if (!reading.quantity) continue;
+    GaugeColumn gauge{.column = i, .is_force = reading.quantity->name == "force_reading"};
+    if (gauge.is_force && needs_force)
+      gauge.scale = force_scale(proposal, reading);
+    else if (reading.quantity->name == "dial_reading" && needs_displacement)
+      gauge.scale = si_factor(reading.unit, "length");
+    else
+      continue;
+    if (gauge.scale) *gauge.scale *= reading.sign;
+    out.push_back(gauge);
+  }
+  return out;
+}
+
+}  // namespace triax::lab

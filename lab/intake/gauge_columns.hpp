@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Proving rings and dial gauges: readings that are a force or a displacement times a factor.
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "lab/intake/proposal.hpp"
+
+namespace triax::lab {
+
+struct GaugeColumn {
+  std::size_t column = 0;  ///< of Proposal::table, from 0
+  bool is_force = false;   ///< else a displacement
+  /// N or m per reading as written, with the sign; empty: the file does not have the factor.
+  std::optional<double> scale;
+};
+
+/// The columns that are the only force or displacement of the file. The factor of a ring is a label
+/// or a column that does not change; a dial has a unit of length.
+std::vector<GaugeColumn> find_gauge_columns(const Proposal& proposal);
+
+}  // namespace triax::lab

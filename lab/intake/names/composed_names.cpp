@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/intake/names/composed_names.hpp"
+
+#include <QStringList>
+#include <algorithm>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/intake/names/heading_form.hpp"
+#include "lab/intake/names/lexicon_file.hpp"
+
+namespace triax::lab {
+ComposedNames::ComposedNames() {
+  constexpr int kMaxLength = 100, kMaxMeanings = 64;
+  const TomlTable file = read_lexicon_file("words");
+  min_part_ = file.integer("min_part", 1, kMaxLength).value();
+  min_short_ = file.integer("min_short", 1, kMaxLength).value();
+  endings_.emplace_back();
+  for (const std::string& ending : file.texts("endings"))
+    endings_.push_back(QString::fromStdString(ending));
+  QHash<QString, int> bits;
+  for (const TomlTable& row : file.tables("word")) {
+    Meanings meanings = 0;
+    for (const QString& meaning :
+         QString::fromStdString(row.text("means").value_or("")).split(u' ', Qt::SkipEmptyParts)) {
+      if (!bits.contains(meaning)) bits[meaning] = static_cast<int>(bits.size());
+      meanings |= Meanings{1} << bits[meaning];
+    }
+    for (const std::string& word : row.texts("written"))
+      for (const QString& key : name_keys(word)) add_word(key, meanings);
+  }
+  if (bits.size() > kMaxMeanings) throw BadInput("words.toml", 0, "too many meanings");
+  const auto& quantities = lexicon_quantity_files();
+  for (std::size_t i = 0; i < quantities.size(); ++i)
+    for (const std::string& composed : quantities[i].texts("composed"))
+      add_names(QString::fromStdString(composed), i, bits);
+}
+
+void ComposedNames::add_word(const QString& word, Meanings meanings) {
+  words_[word] = meanings;
+  max_word_ = std::max(max_word_, word.size());
+  for (qsizetype length = min_short_; length < word.size(); ++length) {
+    const QString short_form = word.first(length);
+    const auto known = short_forms_.find(short_form);
+    if (known == short_forms_.end())
+      short_forms_[short_form] = meanings;
+    else if (*known != meanings)
+      *known = std::nullopt;
+  }
+}
+
+/// "axial/radial total? stress" is four names: one of the words with a slash, those with a question
+/// mark may be missing.
+void ComposedNames::add_names(const QString& composed, std::size_t quantity,
+                              const QHash<QString, int>& bits) {
+  std::vector<Meanings> names{0};
+  for (QString part : composed.split(u' ')) {
+    std::vector<Meanings> longer;
+    if (part.endsWith(u'?')) {
+      longer = names;
+      part.chop(1);
+    }
+    for (const QString& meaning : part.split(u'/')) {
+      if (!bits.contains(meaning))
+        throw BadInput("words.toml", 0, "no word means " + meaning.toStdString());
+      for (const Meanings name : names) longer.push_back(name | Meanings{1} << bits[meaning]);
+    }
+    names = std::move(longer);
+  }
+  for (const Meanings name : names) names_[name].set(quantity);
+}
+
+std::optional<ComposedNames::Meanings> ComposedNames::meanings_of_parts(QStringView text,
+                                                                        std::vector<bool>& failed,
+                                                                        std::size_t begin) const {
+  if (text.isEmpty()) return Meanings{0};
+  if (failed[begin]) return std::nullopt;
+  constexpr qsizetype kMinShortEnd = 5;  // "cellpress"
+  if (begin > 0 && text.size() >= kMinShortEnd)
+    if (const auto short_end = short_forms_.value(text.toString())) return short_end;
+  for (qsizetype length = std::min(max_word_, text.size()); length > 0; --length) {
+    const bool is_part = length >= min_part_ || is_east_asian(text.front());
+    if (!is_part) break;
+    const auto word = words_.find(text.first(length).toString());
+    if (word == words_.end()) continue;
+    for (const QString& ending : endings_) {
+      if (!text.sliced(length).startsWith(ending)) continue;
+      const qsizetype end = length + ending.size();
+      if (const auto rest =
+              meanings_of_parts(text.sliced(end), failed, begin + static_cast<std::size_t>(end)))
+        return *word | *rest;
+    }
+  }
+  failed[begin] = true;
+  return std::nullopt;
+}
+
+std::optional<ComposedNames::Meanings> ComposedNames::meanings_of(const QString& token) const {
+  constexpr qsizetype kMaxToken = 100;
+  if (token.size() > kMaxToken) return std::nullopt;
+  if (const auto word = words_.find(token); word != words_.end()) return *word;
+  std::vector<bool> failed(static_cast<std::size_t>(token.size()));
+  if (const auto parts = meanings_of_parts(token, failed, 0)) return parts;
+  return short_forms_.value(token);
+}
+
+QuantitySet ComposedNames::find(const std::vector<QString>& tokens) const {
+  Meanings meanings = 0;
+  for (const QString& token : tokens) {
+    const auto of_token = meanings_of(token);
+    if (!of_token) return {};
+    meanings |= *of_token;
+  }
+  return names_.value(meanings);
+}
+
+}  // namespace triax::lab

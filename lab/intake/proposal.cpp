@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/intake/proposal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/base/text.hpp"
+#include "lab/intake/questions.hpp"
+#include "lab/intake/row_course.hpp"
+#include "lab/intake/stage_time.hpp"
+#include "lab/intake/text/row_model.hpp"
+
+namespace triax::lab {
+namespace {
+
+SpecimenValues specimen_of(const std::vector<LabelValue>& labels) {
+  SpecimenValues out;
+  for (const LabelValue& label : labels) {
+    if (!label.value || label.is_ambiguous) continue;
+    if (label.name == "height" && !out.height_mm) out.height_mm = label.value;
+    if (label.name == "diameter" && !out.diameter_mm) out.diameter_mm = label.value;
+  }
+  return out;
+}
+
+/// A column of dates or times of day as what its cells are.
+void settle_clock(const TableColumn& column, ColumnMeaning& meaning) {
+  if (!column.clock) return;
+  const ClockFormat& format = *column.clock->format;
+  const bool has_date = format.order != DateOrder::none || format.number != ClockNumber::none;
+  const char* name = "time_of_day";
+  const auto is_known = [](double value) { return !std::isnan(value); };
+  const auto& values = column.clock_values;
+  const auto first = std::ranges::find_if(values, is_known);
+  const auto last = std::find_if(values.rbegin(), values.rend(), is_known);
+  // The rows may be in reverse order.
+  const bool begins_at_zero = !has_date && first != values.end() && (*first == 0 || *last == 0);
+  if (format.is_elapsed || begins_at_zero)
+    name = "time";
+  else if (has_date && (format.has_time || format.number != ClockNumber::none))
+    name = "clock";
+  else if (has_date)
+    name = "date";
+  if (format.number == ClockNumber::part_of_day) name = "time_of_day";
+  ColumnReading& reading = meaning.reading;
+  const bool is_stage_time = reading.quantity && reading.quantity->name == "stage_time";
+  if (is_stage_time && !has_date) return;
+  reading.quantity = find_lexicon_quantity(name);
+  reading.unit_source = UnitSource::name;
+  meaning.other.reset();
+}
+
+/// If the file does not have one.
+void set_unit(ColumnReading& reading, const std::string& unit) {
+  const bool is_open =
+      reading.unit_source == UnitSource::identity || reading.unit_source == UnitSource::asked;
+  if (!is_open || !reading.quantity) return;
+  for (const UnitName* one : find_unit_names(unit))
+    if (const auto factor = factor_to_canonical(*reading.quantity, *one)) {
+      reading.unit = unit;
+      reading.factor = *factor;
+      reading.unit_source = UnitSource::format;
+      return;
+    }
+}
+
+/// A dial in divisions beside the displacement that follows from it.
+void settle_dial(Proposal& proposal) {
+  constexpr double kRounding = 2;
+  ColumnReading* dial = nullptr;
+  const TableColumn *of_dial = nullptr, *of_displacement = nullptr;
+  double millimetres = 1;
+  for (std::size_t i = 0; i < proposal.table.columns.size(); ++i) {
+    ColumnReading& reading = proposal.meaning.columns[i].reading;
+    if (!reading.quantity) continue;
+    if (reading.quantity->name == "dial_reading" && reading.unit_source == UnitSource::none) {
+      dial = &reading;
+      of_dial = &proposal.table.columns[i];
+    } else if (reading.quantity->name == "axial_displacement") {
+      of_displacement = &proposal.table.columns[i];
+      millimetres = reading.factor;
+    }
+  }
+  if (!dial || !of_displacement || of_dial->last == of_dial->first) return;
+  const double per_division =
+      (of_displacement->last - of_displacement->first) / (of_dial->last - of_dial->first);
+  for (std::size_t row = 0; row < of_dial->all.size(); ++row) {
+    const double off = of_displacement->all[row] - of_displacement->first -
+                       per_division * (of_dial->all[row] - of_dial->first);
+    if (std::fabs(off) > kRounding * (of_displacement->sample.half_unit +
+                                      std::fabs(per_division) * of_dial->sample.half_unit))
+      return;
+  }
+  // Divisions are round: the quotient has the rounding of two printed values.
+  constexpr int kDigits = 3;
+  dial->factor = std::stod(fmt::format("{:.{}g}", std::fabs(per_division) * millimetres, kDigits));
+  dial->sign = per_division < 0 ? -1 : 1;
+  dial->unit = fmt::format("{:g} mm", dial->factor);
+  dial->unit_source = UnitSource::identity;
+}
+
+void apply_software(Proposal& proposal) {
+  if (!proposal.software) return;
+  for (std::size_t i = 0; i < proposal.table.columns.size(); ++i) {
+    const TableColumn& column = proposal.table.columns[i];
+    const auto* known = find_software_column(*proposal.software, column.heading);
+    if (!known) continue;
+    ColumnReading& reading = proposal.meaning.columns[i].reading;
+    if (known->sign) reading.sign = *known->sign;
+    if (known->unit.empty()) continue;
+    set_unit(reading, known->unit);
+    if (reading.unit_source == UnitSource::format) proposal.meaning.columns[i].other.reset();
+  }
+}
+
+TableStructure structure_of(const TableSample& sample, const ByteSource& source) {
+  StructureResult found = find_structure(sample);
+  if (!found.structure) throw BadInput(source.name(), 0, found.reason);
+  return std::move(*found.structure);
+}
+
+Meaning meaning_of(const std::vector<ColumnSample>& samples, const Proposal& proposal) {
+  Meaning out = find_meaning(samples, specimen_of(proposal.labels));
+  for (std::size_t i = 0; i < proposal.table.columns.size(); ++i)
+    settle_clock(proposal.table.columns[i], out.columns[i]);
+  return out;
+}
+
+void decide_meaning(Proposal& proposal) {
+  std::vector<ColumnSample> samples;
+  for (const TableColumn& column : proposal.table.columns) samples.push_back(column.sample);
+  proposal.meaning = meaning_of(samples, proposal);
+  const auto column = find_stage_time(proposal.table, proposal.meaning);
+  if (!column) return;
+  samples[*column] = stage_time_sample(samples[*column], proposal.meaning.columns[*column].reading);
+  proposal.meaning = meaning_of(samples, proposal);
+}
+
+Proposal propose_block(const TableSample& sample, const TableStructure& structure,
+                       std::size_t number) {
+  const TableBlock block = number == 0 ? TableBlock{} : structure.blocks.at(number - 1);
+  Proposal out;
+  out.structure = structure;
+  out.block = number;
+  out.labels = labels_above(structure, number);
+  out.table = read_columns(sample, structure, block);
+  decide_meaning(out);
+  std::string head;
+  for (const std::string& line : structure.preamble) head += line + '\n';
+  out.software = find_software(structure.headings, head);
+  apply_software(out);
+  settle_dial(out);
+  for (const LabelValue& label : out.labels)
+    if (label.name == "test_type" && !out.type) out.type = find_test_type(label.text);
+  const RowCourse course = find_course(out.table, out.meaning);
+  out.is_reversed = course.is_reversed;
+  out.test_begins = course.test_begins;
+  out.test_column = course.test_column;
+  if (out.test_begins.size() > 1 || out.is_reversed) {
+    const std::size_t rows =
+        out.test_begins.size() > 1 ? out.test_begins[1] : out.table.row_lines.size();
+    for (TableColumn& column : out.table.columns) {
+      column.sample.values = evenly(std::span(column.all).first(rows));
+      if (out.is_reversed) std::ranges::reverse(column.sample.values);
+    }
+    decide_meaning(out);
+  }
+  out.questions = find_questions(out);
+  return out;
+}
+
+}  // namespace
+
+const LabelValue* Proposal::label(std::string_view name) const {
+  for (const LabelValue& one : labels)
+    if (one.name == name || one.metadata == name) return &one;
+  return nullptr;
+}
+
+std::vector<LabelValue> labels_above(const std::vector<std::string>& lines, Separator separator) {
+  std::vector<std::vector<std::string>> cells;
+  const Separator between = separator == Separator::blanks ? Separator::wide_blanks : separator;
+  for (const std::string& line : lines) {
+    cells.emplace_back();
+    for (const std::string_view cell : cells_of(line, between)) cells.back().emplace_back(cell);
+  }
+  return find_labels(cells);
+}
+
+std::vector<LabelValue> labels_above(const TableStructure& structure, std::size_t block) {
+  std::vector<LabelValue> labels = labels_above(structure.preamble, structure.separator);
+  if (block == 0 || structure.heading_lines.empty()) return labels;
+  std::ranges::move(
+      find_labels({{structure.blocks[block - 1].title}}, structure.heading_lines.front()),
+      std::back_inserter(labels));
+  return labels;
+}
+
+std::vector<Proposal> propose(ByteSource& source) {
+  const TableSample sample = read_sample(source);
+  const TableStructure structure = structure_of(sample, source);
+  const std::size_t blocks = structure.blocks.size();
+  if (blocks == 0) return {propose_block(sample, structure, 0)};
+  std::vector<Proposal> out;
+  for (std::size_t block = 1; block <= blocks; ++block)
+    out.push_back(propose_block(sample, structure, block));
+  return out;
+}
+
+Proposal propose(ByteSource& source, std::size_t block) {
+  const TableSample sample = read_sample(source);
+  return propose_block(sample, structure_of(sample, source), block);
+}
+
+}  // namespace triax::lab

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/intake/names/composed_names.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <string_view>
+
+#include "lab/intake/names/heading_form.hpp"
+#include "lab/intake/names/lexicon_quantity.hpp"
+
+using namespace triax::lab;
+
+namespace {
+
+/// Names of the quantities with a blank behind each.
+std::string find_composed(std::string_view heading) {
+  static const ComposedNames names;
+  const QuantitySet found = names.find(heading_tokens(repair_heading(heading)));
+  std::string text;
+  for (std::size_t i = 0; i < lexicon_quantities().size(); ++i)
+    if (found[i]) text += lexicon_quantities()[i].name + " ";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("ComposedNames: the order of the words is free") {
+  for (const char* heading : {"effective vertical stress", "vertical effective stress",
+                              "stress, vertical, effective", "contrainte verticale effective",
+                              "Effektive Vertikalspannung", "Вертикальное эффективное напряжение"})
+    CHECK(find_composed(heading) == "effective_axial_stress ");
+}
+
+TEST_CASE("ComposedNames: a compound is read by its parts") {
+  CHECK(find_composed("Porenwasserüberdruck") == "excess_pore_pressure ");
+  CHECK(find_composed("Hauptspannungsdifferenz") == "deviator_stress ");
+  CHECK(find_composed("有效轴向应力") == "effective_axial_stress ");
+  CHECK(find_composed("全側方応力") == "radial_stress ");
+  CHECK(find_composed("과잉간극수압") == "excess_pore_pressure ");
+}
+
+TEST_CASE("ComposedNames: the beginning of a word is short for it") {
+  CHECK(find_composed("Press. interst.") == "pore_pressure ");
+  CHECK(find_composed("Esf. desv.") == "deviator_stress ");
+  CHECK(find_composed("str. axial").empty());  // stress or strain
+  CHECK(find_composed("pr").empty());
+}
+
+TEST_CASE("ComposedNames: a quantity that is not told apart is not left out") {
+  CHECK(find_composed("Axial deformation") == "axial_displacement axial_strain ");
+}
+
+TEST_CASE("ComposedNames: a word without a meaning in the name finds nothing") {
+  for (const char* heading :
+       {"target axial stress", "axial stress rate", "effective", "of the", "", "axial stress q",
+        "start time", "pore pressure ratio", "mean cell pressure", "axial radial stress"}) {
+    INFO(heading);
+    CHECK(find_composed(heading).empty());
+  }
+}
+
+TEST_CASE("ComposedNames: a long text finds nothing in short time") {
+  std::string text;
+  while (text.size() < 100'000) text += "spannungen";
+  CHECK(find_composed(text).empty());
+  CHECK(find_composed(std::string(1 << 20, ' ') + "\0 x").empty());
+}

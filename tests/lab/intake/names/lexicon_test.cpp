@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/intake/names/lexicon.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "tests/lab/intake/names/heading_samples.hpp"
+
+using namespace triax::lab;
+
+namespace {
+
+std::string candidates_text(const HeadingNames& names) {
+  std::string text = "'" + names.name + "' [" + names.unit + "]:";
+  for (const auto& [quantity, how, lender] : names.candidates)
+    text += " " + quantity->name + " " + std::to_string(static_cast<int>(how));
+  return text;
+}
+
+bool has_candidate(const HeadingNames& names, std::string_view quantity, NameMatch how) {
+  return std::ranges::any_of(names.candidates, [&](const NameCandidate& candidate) {
+    return candidate.quantity->name == quantity && candidate.how == how;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("find_names: headings in 13 languages have their quantity and unit") {
+  STATIC_REQUIRE(kHeadingSamples.size() >= 150);
+  for (const HeadingSample& sample : kHeadingSamples) {
+    const HeadingNames names = find_names(sample.heading, sample.unit_of_row);
+    INFO(sample.heading << " = " << sample.quantity << "; found " << candidates_text(names));
+    REQUIRE_FALSE(names.candidates.empty());
+    CHECK(has_candidate(names, sample.quantity, names.candidates.front().how));
+    const auto units = find_unit_names(names.unit.empty() ? sample.unit_of_row : names.unit);
+    if (sample.unit.empty())
+      CHECK(units.empty());
+    else
+      CHECK(
+          std::ranges::any_of(units, [&](const auto* unit) { return unit->name == sample.unit; }));
+  }
+}
+
+TEST_CASE("find_names: each kind of match is found and comes in its order") {
+  struct Case {
+    std::string_view heading, quantity;
+    NameMatch how;
+  };
+  for (const auto& [heading, quantity, how] : std::to_array<Case>({
+           {"Pore pressure", "pore_pressure", NameMatch::exact},
+           {"Target pore pressure", "ignored", NameMatch::kept_word},
+           {"Ch2 Pore pressure (calc.)", "pore_pressure", NameMatch::dropped},
+           {"Hauptspannungen Porenwasserdruck", "pore_pressure", NameMatch::tail},
+           {"Tensione minima σ3'", "effective_radial_stress", NameMatch::symbol},
+           {"Vertikalverschiebung s", "axial_displacement", NameMatch::head},
+           {"Mid-height pore pressure probe", "pore_pressure", NameMatch::words},
+           {"Radial stress", "cell_pressure", NameMatch::borrowed},
+       })) {
+    const HeadingNames names = find_names(heading);
+    INFO(heading << ": " << candidates_text(names));
+    CHECK(has_candidate(names, quantity, how));
+    CHECK(std::ranges::is_sorted(names.candidates, {}, &NameCandidate::how));
+  }
+}
+
+TEST_CASE("find_names: the unit decides between quantities with one name") {
+  CHECK(find_names("Axial deformation (mm)").candidates.front().quantity->name ==
+        "axial_displacement");
+  CHECK(find_names("Axial deformation", "%").candidates.front().quantity->name == "axial_strain");
+  for (const NameCandidate& candidate : find_names("Load (kPa)").candidates)
+    CHECK(candidate.quantity->can_have("pressure"));
+}
+
+TEST_CASE("find_names: the unit is separated in each style") {
+  for (const char* heading :
+       {"Pore pressure (kPa)", "Pore pressure [kPa]", "Pore pressure {kPa}", "Pore pressure <kPa>",
+        "Pore pressure, kPa", "Pore pressure / kPa", "Pore pressure in kPa", "Pore_pressure_kPa",
+        "Pore pressure kPa", " \"Pore pressure (kPa)\" ", "PorePressure kPa"}) {
+    const HeadingNames names = find_names(heading);
+    INFO(heading << ": " << candidates_text(names));
+    CHECK(names.unit == "kPa");
+    CHECK(names.name.starts_with("Pore"));
+    CHECK(names.candidates.front().quantity->name == "pore_pressure");
+  }
+  CHECK(find_names("Pore (kPa)_value").name == "Pore_value");
+  CHECK(find_names("sigma_h").unit.empty());
+  CHECK(find_names("Ch2 t").unit.empty());
+  CHECK(find_names("供試体高さ_in").unit == "in");
+}
+
+TEST_CASE("find_names: each quantity is a candidate once") {
+  for (const HeadingSample& sample : kHeadingSamples) {
+    auto candidates = find_names(sample.heading).candidates;
+    std::ranges::sort(candidates, {}, &NameCandidate::quantity);
+    INFO(sample.heading);
+    CHECK(std::ranges::adjacent_find(candidates, {}, &NameCandidate::quantity) == candidates.end());
+  }
+}
+
+TEST_CASE("find_names: a text that is no heading has no candidates") {
+  const std::string brackets(1 << 20, '(');
+  std::string blanks(1 << 20, ' ');
+  blanks.back() = 'q';
+  const std::string letters(201, 'u');
+  for (const std::string_view text :
+       std::to_array<std::string_view>({"Zzyzx", "12.34", brackets, blanks, letters})) {
+    INFO(text.substr(0, 10));
+    CHECK(find_names(text).candidates.empty());
+    CHECK(find_names(text, text).candidates.empty());
+  }
+  CHECK_FALSE(find_names("q", brackets).candidates.empty());
+  CHECK(find_names(std::string_view("Pore\0pressure", 13)).candidates.front().quantity->name ==
+        "pore_pressure");
+}
+
+TEST_CASE("find_names: a heading without a word is a blank column") {
+  REQUIRE(find_names("").candidates.size() == 1);
+  CHECK(find_names(" - ").candidates.front().quantity->name == "ignored");
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/intake/proposal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+
+using namespace triax::lab;
+
+namespace {
+
+Proposal proposal_of(const std::string& text) {
+  const auto source = open_memory("table.csv", text);
+  return propose(*source).front();
+}
+
+std::string quantity_of(const Proposal& proposal, std::size_t column) {
+  const auto* quantity = proposal.meaning.columns.at(column).reading.quantity;
+  return quantity ? quantity->name : "";
+}
+
+bool asks(const Proposal& proposal, const std::string& text) {
+  return std::ranges::find(proposal.questions, text, &Question::text) != proposal.questions.end();
+}
+
+double q_of(int i) { return 100 * std::tanh(0.2 * i); }
+double u_of(int i) { return 200 + 60 * (1 - std::exp(-0.3 * i)); }
+
+/// A row for each of 20 readings.
+template <class Row>
+std::string table(const std::string& headings, const Row& row) {
+  constexpr int kReadings = 20;
+  std::string out = headings + '\n';
+  for (int i = 0; i < kReadings; ++i) out += row(i) + '\n';
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("propose: the unit of a time is asked unless the file has it", "[intake]") {
+  const auto row = [](int i) {
+    return fmt::format("{},{:.2f},{:.1f},{:.1f}", 60 * i, 0.5 * i, q_of(i), 150 + q_of(i) / 3);
+  };
+  CHECK(asks(proposal_of(table("Time,Axial strain (%),q (kPa),p' (kPa)", row)), "unit of Time"));
+  CHECK(proposal_of(table("Time (s),Axial strain (%),q (kPa),p' (kPa)", row)).questions.empty());
+}
+
+TEST_CASE("propose: a stage below the name of a group is no time", "[intake]") {
+  const Proposal found = proposal_of(table("Zeit;;Spannungen\nStufe;Zeit (s);q (kPa)", [](int i) {
+    return fmt::format("{};{};{:.1f}", i / 7 + 1, 30 * i, q_of(i));
+  }));
+  CHECK(quantity_of(found, 0) == "stage");
+  CHECK(quantity_of(found, 1) == "time");
+}
+
+TEST_CASE("propose: an effective stress is never read as a total one", "[intake]") {
+  const Proposal found = proposal_of(
+      table("Déformation axiale (%),Déviateur (kPa),Contrainte radiale effective (kPa),u (kPa)",
+            [](int i) { return fmt::format("{:.2f},{:.1f},150,150", 0.5 * i, q_of(i)); }));
+  CHECK(quantity_of(found, 2) == "effective_radial_stress");
+}
+
+TEST_CASE("propose: targets and columns without a name are not used", "[intake]") {
+  const Proposal found =
+      proposal_of(table("Def. assiale (%),q (kPa),u (kPa),Pressione di cella (kPa),"
+                        "Pressione di cella impostata (kPa),xyz_ratio (-)",
+                        [](int i) {
+                          return fmt::format("{:.2f},{:.1f},{:.1f},299.9,300.0,{:.3f}", 0.5 * i,
+                                             q_of(i), u_of(i), 1 + 0.1 * i);
+                        }));
+  CHECK(quantity_of(found, 3) == "cell_pressure");
+  CHECK(quantity_of(found, 4) == "ignored");
+  CHECK(quantity_of(found, 5).empty());
+}
+
+TEST_CASE("propose: the pressure that is constant in shear decides s′ and t", "[intake]") {
+  // Saturation and consolidation raise the cell pressure before.
+  const Proposal found = proposal_of(table("Stage,ε1 (%),q (kPa),u (kPa),p' (kPa)", [](int i) {
+    const bool is_shear = i >= 8;
+    const double t = is_shear ? q_of(i - 7) / 2 : 0, u = is_shear ? u_of(i - 8) : 25.0 * i;
+    const double radial = is_shear ? 400 - u : 20.0 + 2 * i;
+    return fmt::format("{},{:.2f},{:.2f},{:.2f},{:.2f}", is_shear ? 2 : 1,
+                       is_shear ? 0.5 * (i - 7) : 0, t, u, radial + t);
+  }));
+  CHECK(quantity_of(found, 2) == "half_deviator_stress");
+  CHECK(quantity_of(found, 4) == "mean_effective_stress_2d");
+}
+
+TEST_CASE("propose: rows in reverse order have the signs of the others", "[intake]") {
+  const auto row = [](int i) {
+    return fmt::format("{},{:.2f},{:.4f},{:.1f},150", 60 * (19 - i), 0.5 * (19 - i),
+                       -1.5 * std::tanh(0.1 * (19 - i)), q_of(19 - i));
+  };
+  const Proposal found =
+      proposal_of(table("Time (s),Axial strain (%),Volumetric strain (%),q (kPa),σ3' (kPa)", row));
+  CHECK(found.is_reversed);
+  CHECK(found.meaning.of("volumetric_strain")->reading.sign == -1);
+}
+
+TEST_CASE("propose: units and codes at the edges", "[intake]") {
+  const Proposal permille = proposal_of(table("Axial strain ‰,q (kPa)", [](int i) {
+    return fmt::format("{:.1f},{:.1f}", 5.0 * i, q_of(i));
+  }));
+  CHECK(permille.meaning.of("axial_strain")->reading.factor == Approx(1e-3));
+  const Proposal hundredths = proposal_of(table("轴向位移/0.01 mm,q/kPa", [](int i) {
+    return fmt::format("{:.1f},{:.1f}", 50.0 * i, q_of(i));
+  }));
+  CHECK(hundredths.meaning.of("axial_displacement")->reading.factor == Approx(0.01));
+  // 9999 s is a time between two others, no code for a missing value.
+  const Proposal times = proposal_of(table("Time (s),q (kPa)", [](int i) {
+    return fmt::format("{},{:.1f}", i == 4 ? 9999 : 2500 * i, q_of(i));
+  }));
+  CHECK(times.table.missing.empty());
+}
+
+TEST_CASE("propose: a dial in divisions has the factor of its displacement", "[intake]") {
+  const Proposal found =
+      proposal_of(table("Dial reading,Axial displacement (mm),q (kPa)", [](int i) {
+        return fmt::format("{},{:.2f},{:.1f}", 50 * i, 0.5 * i, q_of(i));
+      }));
+  REQUIRE(found.has("dial_reading"));
+  CHECK(found.meaning.of("dial_reading")->reading.factor == Approx(0.01));
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/intake/text/row_model.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace triax::lab;
+
+namespace {
+RowModel rows_of(const std::string& text, Separator separator) {
+  return fit_rows(read_sample(*open_memory("m", text)), separator);
+}
+}  // namespace
+
+TEST_CASE("Row model: a comment mark is followed by text") {
+  CHECK(comment_mark("# time", Separator::comma) == "#");
+  CHECK(comment_mark("  // time", Separator::comma) == "//");
+  CHECK(comment_mark("\"# time\",x", Separator::comma) == "#");
+  CHECK(comment_mark("#;time", Separator::semicolon) == "#");
+  CHECK(comment_mark("; time", Separator::comma) == ";");
+  CHECK(comment_mark("; time", Separator::semicolon).empty());
+  CHECK(comment_mark("%\tkPa", Separator::tab).empty());
+  CHECK(comment_mark("***End***", Separator::tab).empty());
+  CHECK(comment_mark("", Separator::tab).empty());
+}
+
+TEST_CASE("Row model: numbers of columns are known") {
+  CHECK(is_numbering("1;2;3;4", Separator::semicolon));
+  CHECK(is_numbering("(1)\t(2)\t(3)\t(4)", Separator::tab));
+  CHECK_FALSE(is_numbering("1;2;3", Separator::semicolon));
+  CHECK_FALSE(is_numbering("1;2;3;5", Separator::semicolon));
+}
+
+TEST_CASE("Row model: rows, width and format of the right separator") {
+  const auto rows = rows_of("t;q\n0,5;1\n1,5;-\n2,5;3\nMax;3\n", Separator::semicolon);
+  CHECK(rows.width == 2);
+  CHECK(rows.first == 1);
+  CHECK(rows.last == 3);
+  CHECK(rows.format.decimal == DecimalMark::comma);
+  CHECK(rows.purity == 1);
+  CHECK(rows.coverage == Approx(3.0 / 5));
+  CHECK(rows.is_value_column(1));
+}
+
+TEST_CASE("Row model: a wrong separator explains less") {
+  const std::string text = "t;q\n0,5;1\n1,5;2\n2,5;3\n";
+  CHECK(rows_of(text, Separator::tab).width == 0);
+  const auto rows = rows_of(text, Separator::comma);
+  CHECK(rows.coverage * rows.purity < 0.5);
+}
+
+TEST_CASE("Row model: lines with one value are counted") {
+  CHECK(rows_of("q\n1\n2\n", Separator::comma).single_values == 2);
+}
