@@ -68,7 +68,9 @@ class DictionaryRules {
     check_types(group);
     const auto found = all_.find(group.name);
     if (found == all_.end()) {
-      file_.check.unknown_groups.push_back(group.name);
+      if (auto& unknown = file_.check.unknown_groups;
+          std::ranges::find(unknown, group.name) == unknown.end())
+        unknown.push_back(group.name);
       return;
     }
     check_names(group, found->second);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/ags/ags_checked_file.hpp"
+#include "lab/intake/text/file_kind.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -86,7 +88,8 @@ class LineRules {
     const std::string& name = cells_.front();
     if (name.size() != 4 || !std::ranges::all_of(name, is_capital))
       wrong("19", "the name of the group is " + excerpt(name) + "; expected four capital letters");
-    if (file_.find(name) != nullptr) wrong("4", "group " + excerpt(name) + " appears twice");
+    if (++seen_groups_[name] == 2)
+      wrong("4", "group " + excerpt(name) + " appears twice or more (reported once)");
     file_.groups.push_back({.name = name, .line = line_});
   }
 
@@ -147,6 +150,7 @@ class LineRules {
   AgsCheckedFile& file_;
   std::int64_t line_ = 0;
   bool told_line_end_ = false;
+  std::map<std::string, int> seen_groups_;
   std::vector<std::string> cells_;
 };
 
@@ -170,6 +174,8 @@ void AgsCheckedFile::find_wrong(std::string rule, std::int64_t line, std::string
 AgsCheckedFile read_checked_file(ByteSource& source) {
   AgsCheckedFile file;
   const std::string bytes = all_of(source);
+  if (begins_ags3(std::string_view(bytes).substr(bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0)))
+    throw BadInput(source.name(), 1, kRefuseAgs3);
   LineRules rules(file);
   std::string_view rest = bytes;
   while (!rest.empty()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/ags/ags_reader.hpp"
+#include "lab/intake/text/file_kind.hpp"
 
 #include <fmt/format.h>
 
@@ -18,11 +19,6 @@ constexpr char kEndMarkOfDos = '\x1A';
 /// The standard has 150 or so; more are no file of a ground investigation.
 constexpr std::size_t kMaxGroups = 2000;
 constexpr std::array<std::string_view, 5> kRowKinds{"GROUP", "HEADING", "UNIT", "TYPE", "DATA"};
-
-bool begins_ags3(std::string_view line) {
-  line = trimmed(line);
-  return line.starts_with("\"**") || line.starts_with("**PROJ");
-}
 
 std::string_view first_cell(std::string_view line) {
   std::string_view cell = trimmed(line.substr(0, line.find(',')));
@@ -68,8 +64,7 @@ bool AgsReader::next_line(std::string_view& line) {
 
 /// True for a row of data.
 bool AgsReader::take(std::string_view line) {
-  if (begins_ags3(line))
-    fail("this is AGS 3 (its groups begin with **); expected AGS4: request the delivery as AGS4");
+  if (begins_ags3(line)) fail(kRefuseAgs3);
   if (const auto wrong = split_ags_line(line, cells_); !wrong.empty()) fail(wrong);
   const std::string row(trimmed(cells_.front()));
   if (std::ranges::find(kRowKinds, row) == kRowKinds.end())
@@ -149,9 +144,13 @@ void AgsReader::fit_cells(const std::string& row) {
 bool looks_like_ags(ByteSource& source) {
   LineReader lines(source);
   std::string_view line;
-  do {
-    if (!lines.next(line)) return false;
-  } while (trimmed(line).empty());
+  try {
+    do {
+      if (!lines.next(line)) return false;
+    } while (trimmed(line).empty());
+  } catch (const BadInput&) {
+    return false;  // no text in UTF-8
+  }
   if (begins_ags3(line)) return true;
   const std::string_view cell = first_cell(line);
   if (cell == "GROUP") return true;

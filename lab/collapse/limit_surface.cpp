@@ -10,26 +10,36 @@
 #include "sim/mechanics/axisymmetric.hpp"
 
 namespace triax::lab {
-
-LimitSurface::LimitSurface(const SpecimenInfo& specimen) {
-  given_angle_ = specimen.limit_friction_angle_rad;
-}
-
 namespace {
 
-constexpr double kNear = 0.95;  ///< of the limit's stress ratio
+constexpr double kNear = 0.95;  ///< of the strength at the limit
 constexpr const char* kGiveAngle = "give --set specimen.limit_friction_angle_deg=...";
 
-double ratio_at(double angle, bool compression) {
-  return compression ? sim::stress_ratio_at_friction_angle(angle)
-                     : 6 * std::sin(angle) / (3 + std::sin(angle));
-}
-
-bool is_below(double eta, double angle) {
-  return std::fabs(eta) < kNear * ratio_at(angle, eta >= 0);
+/// 3 − sin φ in compression, 3 + sin φ in extension.
+double denominator(double angle, bool compression) {
+  return compression ? 3 - std::sin(angle) : 3 + std::sin(angle);
 }
 
 }  // namespace
+
+LimitSurface::LimitSurface(const SpecimenInfo& specimen)
+    : given_angle_(specimen.limit_friction_angle_rad),
+      cohesion_pa_(specimen.cohesion_pa.value_or(0)) {}
+
+double LimitSurface::strength_at(double angle, double p_eff_pa, bool compression) const {
+  return 6 * (p_eff_pa * std::sin(angle) + cohesion_pa_ * std::cos(angle)) /
+         denominator(angle, compression);
+}
+
+bool LimitSurface::is_below(double q_pa, double p_eff_pa, double angle) const {
+  return std::fabs(q_pa) < kNear * strength_at(angle, p_eff_pa, q_pa >= 0);
+}
+
+/// 3|q| = sin φ (6p' + q) + 6 c cos φ in compression and in extension.
+double LimitSurface::mobilised_angle(double q_pa, double p_eff_pa) const {
+  const double along = 6 * p_eff_pa + q_pa, across = 6 * cohesion_pa_;
+  return std::asin(3 * std::fabs(q_pa) / std::hypot(along, across)) - std::atan2(across, along);
+}
 
 void LimitSurface::add(double reading, double q_pa, double p_eff_pa) {
   // Near p' = 0 the ratio of two small numbers says nothing; 3 and −1.5 are the ratios at σ₃' = 0
@@ -37,7 +47,9 @@ void LimitSurface::add(double reading, double q_pa, double p_eff_pa) {
   p_largest_ = std::max(p_largest_, p_eff_pa);
   const double eta = q_pa / p_eff_pa;
   if (p_eff_pa < 0.03 * p_largest_ || eta > 3 || eta < -1.5) return;
-  const double angle = sim::mobilised_friction_angle(eta);
+  const double mobilised = mobilised_angle(q_pa, p_eff_pa);
+  if (std::isnan(mobilised)) return;
+  const double angle = std::max(mobilised, 0.0);  // below it cohesion alone carries q
   watch_softening(p_eff_pa, angle);
   follow_walk(reading, std::fabs(q_pa), angle);
 }
@@ -77,12 +89,19 @@ std::optional<double> LimitSurface::stress_ratio() const {
   return angle ? std::optional(sim::stress_ratio_at_friction_angle(*angle)) : std::nullopt;
 }
 
-double LimitSurface::below(double eta) const {
-  return given_angle_ ? 1 - std::fabs(eta) / ratio_at(*given_angle_, eta >= 0) : 1;
+std::optional<double> LimitSurface::intercept_pa() const {
+  const auto& angle = given_angle_ ? given_angle_ : largest_angle_;
+  if (!angle || cohesion_pa_ == 0) return std::nullopt;
+  return strength_at(*angle, 0, true);
+}
+
+double LimitSurface::below(double q_pa, double p_eff_pa) const {
+  if (!given_angle_) return 1;
+  return 1 - std::fabs(q_pa) / strength_at(*given_angle_, p_eff_pa, q_pa >= 0);
 }
 
 std::string LimitSurface::source(bool is_known) const {
-  if (given_angle_) return kGivenLimit;
+  if (given_angle_) return cohesion_pa_ > 0 ? kGivenLimitWithCohesion : kGivenLimit;
   if (!largest_angle_) return fmt::format("unknown; {}", kGiveAngle);
   if (is_known) return "largest stress ratio of this test, at which the specimen failed";
   return fmt::format(
@@ -91,17 +110,27 @@ std::string LimitSurface::source(bool is_known) const {
       sim::degrees(*largest_angle_), kGiveAngle);
 }
 
-std::optional<bool> LimitSurface::inside(double eta, double onset_reading) const {
-  if (given_angle_) return is_below(eta, *given_angle_);
-  if (went_beyond(eta)) return std::nullopt;
+std::optional<bool> LimitSurface::inside(double q_pa, double p_eff_pa, double onset_reading) const {
+  if (given_angle_) return is_below(q_pa, p_eff_pa, *given_angle_);
+  if (went_beyond(q_pa, p_eff_pa)) return std::nullopt;
   if (softened_) return false;
   for (const Walk& walk : walks_)
-    if (walk.reading < onset_reading && !is_below(eta, walk.angle)) return false;
+    if (walk.reading < onset_reading && !is_below(q_pa, p_eff_pa, walk.angle)) return false;
   return std::nullopt;
 }
 
-bool LimitSurface::went_beyond(double eta) const {
-  return !given_angle_ && largest_angle_ && is_below(eta, *largest_angle_);
+bool LimitSurface::went_beyond(double q_pa, double p_eff_pa) const {
+  return !given_angle_ && largest_angle_ && is_below(q_pa, p_eff_pa, *largest_angle_);
+}
+
+std::string LimitSurface::needs_cohesion(double q_pa, double p_eff_pa) const {
+  if (given_angle_ || !(mobilised_angle(q_pa, p_eff_pa) > kSteepest)) return {};
+  return fmt::format(
+      "q/p' is {:.2f}, {:.1f}° of friction without cohesion, more than friction alone carries: "
+      "over-consolidated clay, cemented soil and rock have cohesion. With c' and φ' unknown a loss "
+      "of strength can be failure; give --set specimen.cohesion_kPa=... and --set "
+      "specimen.limit_friction_angle_deg=...",
+      q_pa / p_eff_pa, sim::degrees(sim::mobilised_friction_angle(q_pa / p_eff_pa)));
 }
 
 }  // namespace triax::lab

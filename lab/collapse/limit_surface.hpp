@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,8 +9,11 @@
 
 namespace triax::lab {
 
-/// The Mohr-Coulomb line η = M against which an onset is judged, from the friction angle that the
-/// specimen's description gives. Without that a test knows of its own limit only what it showed:
+/// The Mohr-Coulomb line |q| = M p' + k with which an onset is compared, where
+///   M = 6 sin φ'/(3 ∓ sin φ'),  k = 6 c' cos φ'/(3 ∓ sin φ')   (− in compression, + in extension)
+/// from the friction angle and the cohesion that the specimen's description gives; c' = 0 if it
+/// gives none. Ratios below are those of sin φ' mobilised at that c'. Without a friction angle a
+/// test knows of its own limit only what it showed:
 ///   an onset at a ratio well below one that was mobilised at any time is not on the limit, but the
 ///   largest ratio of a test is a lower bound of the limit and no limit;
 ///   an onset lies on the limit where the path had walked along it before: q grew by kWalk while
@@ -17,6 +21,7 @@ namespace triax::lab {
 ///   and where the ratio itself fell afterwards, by a tenth, while p' did not: the skeleton lost
 ///   friction. Where a specimen liquefies p' falls, and the ratio grows on;
 ///   else nobody knows, and nothing is excused by the ratio at which a specimen fell.
+/// Beyond kSteepest nothing is concluded then: such a ratio needs cohesion, which was not given.
 class LimitSurface {
  public:
   explicit LimitSurface(const SpecimenInfo& specimen);
@@ -26,18 +31,28 @@ class LimitSurface {
   /// M in compression: of the angle that was given, else of the largest that was mobilised, which
   /// is the limit only if an onset lies on it; empty while no angle is known.
   std::optional<double> stress_ratio() const;
-  /// Whether the specimen's description gives it.
+  /// k in compression, Pa, at that angle; empty without cohesion or without an angle.
+  std::optional<double> intercept_pa() const;
+  /// Whether the specimen's description gives the friction angle.
   bool given() const { return given_angle_.has_value(); }
-  /// By how much of it η lies below the limit that was given; 1 where none was.
-  double below(double eta) const;
+  /// By how much of it |q| lies below the limit that was given; 1 where none was.
+  double below(double q_pa, double p_eff_pa) const;
   /// Where the limit comes from; if it is not known (`is_known`), why not and what to do.
   std::string source(bool is_known) const;
-  /// Whether an onset at η lies strictly inside: more than 5 % below the limit, M in compression
-  /// and 6 sin φ/(3 + sin φ) in extension (η < 0); that is about one degree of φ. Empty: unknown.
-  /// True only below an angle that was given.
-  std::optional<bool> inside(double eta, double onset_reading) const;
-  /// Whether no angle was given and the test mobilised a ratio of which η is less than 95 %.
-  bool went_beyond(double eta) const;
+  /// Whether an onset at these stresses lies strictly inside: |q| more than 5 % below the limit,
+  /// without cohesion about one degree of φ. Empty: unknown. True only below an angle that was
+  /// given.
+  std::optional<bool> inside(double q_pa, double p_eff_pa, double onset_reading) const;
+  /// Whether no angle was given and the test mobilised one of whose |q| this is less than 95 %.
+  bool went_beyond(double q_pa, double p_eff_pa) const;
+  /// Friction angle (rad) that is mobilised there at the cohesion that was given; NaN if none is.
+  double mobilised_angle(double q_pa, double p_eff_pa) const;
+  /// Why nothing is known of an onset there: no limit was given, and friction alone does not carry
+  /// that ratio. Empty otherwise.
+  std::string needs_cohesion(double q_pa, double p_eff_pa) const;
+
+  /// Largest friction angle (rad) of a soil without cohesion at the stresses of a triaxial test.
+  static constexpr double kSteepest = 50 * std::numbers::pi / 180;
 
  private:
   static constexpr double kWalk = 0.2;
@@ -50,7 +65,11 @@ class LimitSurface {
   void watch_softening(double p_eff_pa, double angle);
   void follow_walk(double reading, double strength_pa, double angle);
 
+  double strength_at(double angle, double p_eff_pa, bool compression) const;
+  bool is_below(double q_pa, double p_eff_pa, double angle) const;
+
   std::optional<double> given_angle_, largest_angle_;  ///< friction angles, rad
+  double cohesion_pa_ = 0;
   double p_largest_ = 0;
   double p_at_largest_ = 0;           ///< where the angle was largest
   bool softened_ = false;             ///< since then

@@ -320,19 +320,19 @@ void CollapseMonitor::Impl::tell_of_descent() {
   if (!work.latest_counts() || told_onset == descent->onset.reading) return;
   told_onset = descent->onset.reading;
   const Instant at = instant_of(descent->best_onset(), header.has_time);
-  const bool on_limit =
-      limit.inside(descent->best_onset().eta(), descent->best_onset().reading) == false;
+  const PathPoint& onset = descent->best_onset();
+  const bool on_limit = limit.inside(onset.q, onset.p_eff, onset.reading) == false;
+  const bool failed = descent->drained || !limit.needs_cohesion(onset.q, onset.p_eff).empty();
   if (!is_heard(listeners, &CollapseListener::happened)) return;
   tell(listeners, &CollapseListener::happened,
-       Event{
-           .reading = at.reading,
-           .time_s = at.time_s,
-           .kind = on_limit           ? EventKind::limit_surface
-                   : descent->drained ? EventKind::failure
-                                      : EventKind::loss_of_sustainability,
-           .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
-                                 "{:.3f} and stays negative",
-                                 *at.q_pa / 1e3, *at.p_eff_pa / 1e3, descent->best_onset().eta())});
+       Event{.reading = at.reading,
+             .time_s = at.time_s,
+             .kind = on_limit ? EventKind::limit_surface
+                     : failed ? EventKind::failure
+                              : EventKind::loss_of_sustainability,
+             .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
+                                   "{:.3f} and stays negative",
+                                   *at.q_pa / 1e3, *at.p_eff_pa / 1e3, onset.eta())});
 }
 
 void CollapseMonitor::interrupt() { impl_->stage.reset(); }

@@ -56,6 +56,7 @@ void prove_by_fall(const FallWork& work, Collapse& c) {
 void set_limit(const LimitSurface& limit, Collapse& c) {
   const bool is_known = limit.given() || c.inside_limit_surface == false;
   if (is_known) c.limit_stress_ratio = limit.stress_ratio();
+  if (is_known) c.limit_intercept_pa = limit.intercept_pa();
   c.limit_source = limit.source(is_known);
 }
 
@@ -86,7 +87,8 @@ void take_descent(const Evidence& e, const Descent& descent, Collapse& c) {
 /// lies inside, is a failure and no collapse.
 void tell_failures_apart(const Evidence& e, bool drained, Collapse& c) {
   if (!c.onset || !c.onset->eta()) return;
-  c.inside_limit_surface = e.limit.inside(*c.onset->eta(), static_cast<double>(c.onset->reading));
+  const double q = *c.onset->q_pa, p_eff = *c.onset->p_eff_pa;
+  c.inside_limit_surface = e.limit.inside(q, p_eff, static_cast<double>(c.onset->reading));
   // A runaway that was seen is excused by a limit that is known, and by no ratio of the test's own.
   // Nor is most of an undrained strength: with the pore pressure dead, dq = 3 dp′ walks along a
   // limit of its own up to any peak.
@@ -94,7 +96,7 @@ void tell_failures_apart(const Evidence& e, bool drained, Collapse& c) {
   if ((e.loss_of_control || most) && !e.limit.given() && c.inside_limit_surface == false)
     c.inside_limit_surface.reset();
   const bool on_limit = c.inside_limit_surface == false;
-  const bool below_limit = c.inside_limit_surface == true || e.limit.went_beyond(*c.onset->eta());
+  const bool below_limit = c.inside_limit_surface == true || e.limit.went_beyond(q, p_eff);
   const bool drained_failure = drained && !e.loss_of_control && !below_limit;
   if (!on_limit && !drained_failure) return;
   c.kind = CollapseKind::none;
@@ -102,6 +104,21 @@ void tell_failures_apart(const Evidence& e, bool drained, Collapse& c) {
   c.criteria.front().evidence += on_limit
                                      ? "; a failure on the limit surface, not a collapse inside it"
                                      : "; a drained failure at the peak of q";
+}
+
+/// Strength was lost at a ratio that needs cohesion, of which nothing is known: that may be the
+/// failure of a stiff clay, of a cemented soil or of rock.
+void end_beyond_friction(const LimitSurface& limit, Collapse& c) {
+  if (!c.detected() || !c.onset || !c.onset->eta() || c.inside_limit_surface) return;
+  const std::string reason = limit.needs_cohesion(*c.onset->q_pa, *c.onset->p_eff_pa);
+  if (reason.empty()) return;
+  const std::int64_t last = c.onset->reading;
+  c.kind = CollapseKind::none;
+  for (Criterion& one : c.criteria) one.detected.reset();
+  c.end_at(last, reason);
+  c.second_order_work_normalised.reset();
+  c.second_order_work_error.reset();
+  c.strength_lost.reset();
 }
 
 /// A frame let q fall before the specimen ran away under what came after: what was found there is
@@ -231,7 +248,7 @@ void end_in_the_fall(const Evidence& e, Collapse& c) {
   const bool falls = !fall.ended && !fall.drained && fall.evidence.significantly_negative() &&
                      fall.strength_loss() >= kFailureLoss && fall.strength_regained() < kNotTurned;
   const PathPoint& onset = fall.best_onset();
-  if (!falls || e.limit.inside(onset.eta(), onset.reading) == false) return;
+  if (!falls || e.limit.inside(onset.q, onset.p_eff, onset.reading) == false) return;
   c.end_at(std::llround(onset.reading),
            fmt::format("the record ends while q falls: {:.0f} % of it was lost, second-order work "
                        "is negative",
@@ -269,6 +286,7 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
   if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;
   const bool drained = by_backbone ? e.backbone->drained : descent && descent->drained;
   tell_failures_apart(e, drained && !e.at_held_q, c);
+  end_beyond_friction(e.limit, c);
   note_when_known(e, descent, by_backbone, c);
   if (e.cycles) tell_cyclic_mobility(*e.cycles, c);
   end_in_the_fall(e, c);

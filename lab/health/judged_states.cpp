@@ -52,6 +52,7 @@ double volume_of(const RecordHeader& header) {
 JudgedStates::JudgedStates(const RecordHeader& header)
     : header_(header),
       health_(header),
+      volume_(header),
       drainage_(volume_of(header)),
       plausibility_(header.specimen) {}
 
@@ -83,7 +84,7 @@ void JudgedStates::note_volume_gauge(const Reading& reading) {
 
 void JudgedStates::add(const Reading& reading, const State& state) {
   note_volume_gauge(reading);
-  held_.push_back({.reading = reading, .state = state});
+  held_.push_back({.reading = reading, .state = volume_.completed(state)});
   health_.watch(reading);
   for (const auto& wrong : health_.wrong()) mark(wrong);
 }
@@ -205,6 +206,10 @@ void JudgedStates::judge(Judged& entry) {
     return;
   }
   entry.live = entry.live && undrained;
+  if (auto lacking = volume_.reason(entry.state); entry.live && !lacking.empty()) {
+    entry.live = false;
+    entry.reason = std::move(lacking);
+  }
   check_state(entry);
   if (!entry.live) {
     if (left_out_++ == 0) gap_reason_ = entry.reason;
@@ -263,8 +268,12 @@ void JudgedStates::bound(Collapse& collapse) const {
     return;
   }
   if (const auto& slip = plausibility_.slip()) collapse.end_at(slip->last, slip->reason);
-  if (const auto end = this->end())
-    collapse.end_at(end->last >= 0 ? std::optional(end->last) : std::nullopt, end->reason);
+  const auto end = this->end();
+  if (!end) return;
+  // Too few states before the end: its reason is the one that helps.
+  const bool is_part_assessed = collapse.judged || collapse.judged_until;
+  collapse.end_at(end->last >= 0 && is_part_assessed ? std::optional(end->last) : std::nullopt,
+                  end->reason);
 }
 
 bool JudgedStates::is_possible(const State& state) const {

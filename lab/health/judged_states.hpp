@@ -10,6 +10,7 @@
 #include "lab/health/closed_drainage.hpp"
 #include "lab/health/plausibility.hpp"
 #include "lab/health/record_health.hpp"
+#include "lab/health/unmeasured_volume.hpp"
 #include "lab/results/state.hpp"
 
 namespace triax::lab {
@@ -100,6 +101,7 @@ class JudgedStates {
   std::optional<State> last_live_;  ///< the last that was judged, in shear
   std::int64_t judged_last_ = -1;   ///< number of the last reading that was judged
   std::int64_t judged_first_ = -1;  ///< and of the first
+  UnmeasuredVolume volume_;
   ClosedDrainage drainage_;
   Plausibility plausibility_;
   bool ends_at_mark_ = false;

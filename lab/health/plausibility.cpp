@@ -12,17 +12,14 @@
 namespace triax::lab {
 namespace {
 
-constexpr double kSteep = 60;  // degrees
+constexpr const char* kGiveCohesion =
+    "give --set specimen.cohesion_kPa=... and --set specimen.limit_friction_angle_deg=...";
 
 bool is_test_pressure(double p_eff) {
-  return p_eff >= Plausibility::kLeastStress && p_eff <= Plausibility::kMostStress;
+  return p_eff >= Plausibility::kMinStress && p_eff <= Plausibility::kMaxStress;
 }
 
-bool exceeds_any_cell(const State& s) {
-  return std::max(std::fabs(s.q), s.p_eff) > 2 * Plausibility::kMostStress;
-}
-
-double least_stress(const State& s) { return s.p_eff - (s.q >= 0 ? s.q / 3 : -2 * s.q / 3); }
+double smaller_stress(const State& s) { return s.p_eff - (s.q >= 0 ? s.q / 3 : -2 * s.q / 3); }
 
 }  // namespace
 
@@ -41,11 +38,21 @@ std::string Plausibility::impossible_specimen() const {
       *specimen_.height_m * 1e3, *specimen_.diameter_m * 1e3);
 }
 
+bool Plausibility::exceeds_any_cell(const State& s) const {
+  const double max_stress = specimen_.cohesion_pa ? kMaxStressOfRock : 2 * kMaxStress;
+  return std::max(std::fabs(s.q), s.p_eff) > max_stress;
+}
+
+double Plausibility::reach(const State& s) const {
+  return s.p_eff + zero_error(first_ ? first_->p_eff : s.p_eff);
+}
+
 bool Plausibility::is_possible(const State& s) const {
   if (!first_ && !is_test_pressure(s.p_eff)) return false;
   if (exceeds_any_cell(s)) return false;
-  const double reach = s.p_eff + zero_error(first_ ? first_->p_eff : s.p_eff);
-  return s.q <= kSteepest * reach && -s.q <= kSteepestExtension * reach;
+  // Of a specimen with cohesion whatever leaves its smaller effective stress above zero.
+  if (specimen_.cohesion_pa.value_or(0) > 0) return s.q <= 3 * reach(s) && -s.q <= 1.5 * reach(s);
+  return s.q <= kSteepest * reach(s) && -s.q <= kSteepestExtension * reach(s);
 }
 
 std::string Plausibility::impossible(const State& s) const {
@@ -59,13 +66,20 @@ std::string Plausibility::impossible(const State& s) const {
   if (exceeds_any_cell(s))
     return fmt::format(
         "q is {:.4g} kPa and p' {:.4g} kPa at reading {}, which is impossible in a triaxial cell: "
-        "force or a pressure was not measured or has another unit than its column states",
-        s.q / 1e3, s.p_eff / 1e3, s.reading);
+        "force or a pressure was not measured or has another unit than its column states; for "
+        "rock {}",
+        s.q / 1e3, s.p_eff / 1e3, s.reading, kGiveCohesion);
+  if (s.p_eff < 0 || smaller_stress(s) < 0)
+    return fmt::format(
+        "q is {:.1f} kPa and p' {:.1f} kPa at reading {} (smaller effective stress {:.1f} kPa), "
+        "below zero, and soil carries no tension: the cell pressure fell below the pore pressure, "
+        "a sensor was not set to zero, or force, area or a pressure has another unit than stated",
+        s.q / 1e3, s.p_eff / 1e3, s.reading, smaller_stress(s) / 1e3);
   return fmt::format(
-      "q is {:.1f} kPa and p' {:.1f} kPa at reading {} (smaller effective stress {:.1f} kPa), "
-      "above any friction angle: force, area or a pressure was not measured or has another "
-      "unit, or a sensor was not set to zero",
-      s.q / 1e3, s.p_eff / 1e3, s.reading, least_stress(s) / 1e3);
+      "q is {:.1f} kPa and p' {:.1f} kPa at reading {} (q/p' {:.2f}), more than friction alone "
+      "carries: rock, cemented soil and over-consolidated clay have cohesion; {}; for a soil "
+      "without cohesion check force, area and pressures",
+      s.q / 1e3, s.p_eff / 1e3, s.reading, s.q / s.p_eff, kGiveCohesion);
 }
 
 void Plausibility::watch_fall(const State& s) {
@@ -108,8 +122,8 @@ bool Plausibility::add(const State& s) {
   lowest_strain_ = std::min(lowest_strain_, strain);
   highest_strain_ = std::max(highest_strain_, strain);
   if (!(s.p_eff > kWorth * first_->p_eff)) return true;
-  if (!tension_ && least_stress(s) < 0) tension_ = s;
-  if (!steep_ && sim::mobilised_friction_angle(s.q / s.p_eff) > sim::radians(kSteep)) steep_ = s;
+  if (!tension_ && smaller_stress(s) < 0) tension_ = s;
+  if (!steep_ && limit_.mobilised_angle(s.q, s.p_eff) > LimitSurface::kSteepest) steep_ = s;
   return true;
 }
 
@@ -137,6 +151,18 @@ std::string Plausibility::backwards() const {
       sign * largest_q_ / 1e3, -sign * back * 100);
 }
 
+/// Explains a steep stress ratio.
+std::string Plausibility::steep_words() const {
+  if (specimen_.cohesion_pa.value_or(0) > 0)
+    return "its cohesion is larger than stated, or a zero is wrong";
+  if (specimen_.limit_friction_angle_rad)
+    return fmt::format("it has cohesion, or a zero is wrong; {}", kGiveCohesion);
+  return fmt::format(
+      "over-consolidated clay, cemented soil and rock have cohesion; {}; for a soil without "
+      "cohesion check the zeros of force and pressures",
+      kGiveCohesion);
+}
+
 std::vector<Warning> Plausibility::warnings() const {
   std::vector<Warning> all;
   if (impossible_count_ == 1) all.push_back({0, "impossible state, not used: " + impossible_});
@@ -154,12 +180,13 @@ std::vector<Warning> Plausibility::warnings() const {
     all.push_back(
         {0, fmt::format("the smaller effective stress is below zero at reading {} ({:.1f} "
                         "kPa): sand carries no tension; a zero or a unit is wrong",
-                        tension_->reading, least_stress(*tension_) / 1e3)});
+                        tension_->reading, smaller_stress(*tension_) / 1e3)});
   if (steep_)
     all.push_back(
         {0, fmt::format("the mobilised friction angle exceeds {:.0f} degrees at reading {} "
-                        "(q/p' {:.2f}): a zero or a unit is wrong",
-                        kSteep, steep_->reading, steep_->q / steep_->p_eff)});
+                        "(q/p' {:.2f}): {}",
+                        sim::degrees(LimitSurface::kSteepest), steep_->reading,
+                        steep_->q / steep_->p_eff, steep_words())});
   return all;
 }
 

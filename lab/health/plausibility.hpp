@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "lab/collapse/limit_surface.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/state.hpp"
 
@@ -17,10 +18,11 @@ namespace triax::lab {
 ///   specimen     flatter than kFlattest or slimmer than kSlimmest: nothing can be judged
 ///   impossible   a state beyond the limit surface of any soil and the error of the sensors,
 ///                q > kSteepest (p' + e) or −q > kSteepestExtension (p' + e), so that p' and σ₃'
-///                below −e are always impossible; e = zero_error(p'₀). Also stresses beyond twice
-///                60 MPa; and, before the first possible state, a p' outside 0.5 kPa to 60 MPa, of
-///                which tests are made: a logger's code, a sensor that dropped out, or a pressure
-///                in another unit
+///                below −e are always impossible; e = zero_error(p'₀). With cohesion, which the
+///                specimen's description gives, only those (3 and 1.5). Also stresses beyond twice
+///                60 MPa, kMaxStressOfRock with cohesion; and, before the first possible state, a
+///                p' outside 0.5 kPa to 60 MPa, of which tests are made: a logger's code, a sensor
+///                that dropped out, or a pressure in another unit
 ///   idle         |q| within 1 % of p'₀ all through, over 1 % of axial strain and more: the force
 ///                is in another unit, or was not recorded
 ///   backwards    |q| grew, always on one side, while the axial strain went the other way: the
@@ -29,16 +31,18 @@ namespace triax::lab {
 ///                stress ratio: a specimen that is unloaded keeps p' and loses q/p'; this one
 ///                collapsed, and its strain was measured elsewhere
 ///   to be told   q below −5 kPa and −2 % of p'₀ where compression begins (a load cell that was not
-///                set to zero); σ₃' below zero; a mobilised friction angle above 60°
+///                set to zero), σ₃' below zero, a mobilised friction angle above that of any soil
+///                without cohesion (LimitSurface::kSteepest)
 class Plausibility {
  public:
   /// q/p' of 65 degrees in compression and in extension.
   static constexpr double kSteepest = 2.6, kSteepestExtension = 1.39;
   static constexpr double kFlattest = 0.5, kSlimmest = 4;  ///< height over diameter
   static constexpr double kWorth = 0.1;
-  static constexpr double kLeastStress = 500, kMostStress = 60e6;  ///< Pa
+  static constexpr double kMinStress = 500, kMaxStress = 60e6, kMaxStressOfRock = 1e9;  ///< Pa
 
-  explicit Plausibility(SpecimenInfo specimen) : specimen_(std::move(specimen)) {}
+  explicit Plausibility(SpecimenInfo specimen)
+      : specimen_(std::move(specimen)), limit_(specimen_) {}
 
   /// Pa: what zeros of load cell and pressure transducers may be off by, together: 2 % of p'₀ and
   /// at least 5 kPa, but no more than 10 % of p'₀.
@@ -69,8 +73,13 @@ class Plausibility {
 
  private:
   void watch_fall(const State& state);
+  bool exceeds_any_cell(const State& state) const;
+  /// p' and its error.
+  double reach(const State& state) const;
+  std::string steep_words() const;
 
   SpecimenInfo specimen_;
+  LimitSurface limit_;  ///< of that cohesion
   std::optional<State> first_;
   double largest_q_ = 0, largest_strain_ = 0;
   double least_q_ = 0, most_q_ = 0;                ///< with their signs
@@ -81,7 +90,7 @@ class Plausibility {
   std::optional<Slip> slip_;
   std::string impossible_;  ///< why the first impossible state is
   std::int64_t impossible_count_ = 0, last_impossible_ = -1;
-  std::optional<State> tension_, steep_;  ///< the first with σ₃' below zero, and above 60°
+  std::optional<State> tension_, steep_;  ///< the first with σ₃' below zero, and too steep
 };
 
 }  // namespace triax::lab

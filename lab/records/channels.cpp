@@ -2,7 +2,6 @@
 #include "lab/records/channels.hpp"
 
 #include <algorithm>
-#include <array>
 #include <initializer_list>
 #include <vector>
 
@@ -20,30 +19,62 @@ bool has_all(std::span<const Quantity> columns, std::initializer_list<Quantity> 
       wanted, [&](Quantity q) { return std::ranges::find(columns, q) != columns.end(); });
 }
 
+std::vector<std::string> without(std::span<const Quantity> columns,
+                                 std::initializer_list<Quantity> wanted) {
+  std::vector<std::string> lacking;
+  for (const Quantity q : wanted)
+    if (!has_all(columns, {q})) lacking.push_back(heading(q));
+  return lacking;
+}
+
+/// q and p' follow.
+bool has_both_stresses(std::span<const Quantity> columns) {
+  return has_all(columns, {effective_axial_stress, effective_radial_stress}) ||
+         has_all(columns, {deviator_stress, mean_effective_stress}) ||
+         has_all(columns, {deviator_stress, effective_radial_stress}) ||
+         has_all(columns, {deviator_stress, effective_axial_stress}) ||
+         has_all(columns, {deviator_stress, stress_ratio}) ||
+         has_all(columns, {mean_effective_stress, stress_ratio}) ||
+         has_all(columns, {axial_stress, radial_stress, pore_pressure}) ||
+         has_all(columns, {deviator_stress, radial_stress, pore_pressure}) ||
+         has_all(columns, {deviator_stress, cell_pressure, pore_pressure});
+}
+
+/// q follows.
+bool has_deviator(std::span<const Quantity> columns) {
+  return has_all(columns, {deviator_stress}) || has_all(columns, {axial_stress, radial_stress}) ||
+         has_all(columns, {axial_stress, cell_pressure}) || has_both_stresses(columns);
+}
+
+constexpr const char* kHeldPressure =
+    "; a cell pressure that was held can be given with --set test.cell_pressure_kPa=...";
+constexpr const char* kTotalStress =
+    "; a test in total stresses needs no effective stress: --set test.programme=UU, or UC if it "
+    "is unconfined";
+
 }  // namespace
 
-std::string missing_channels(std::span<const Quantity> columns) {
-  constexpr std::array kRaw{axial_displacement, axial_force, cell_pressure};
-  if (has_all(columns, {kRaw[0], kRaw[1], kRaw[2]})) return {};
-  const bool stresses = has_all(columns, {effective_axial_stress, effective_radial_stress}) ||
-                        has_all(columns, {deviator_stress, mean_effective_stress}) ||
-                        has_all(columns, {deviator_stress, effective_radial_stress}) ||
-                        has_all(columns, {deviator_stress, effective_axial_stress}) ||
-                        has_all(columns, {deviator_stress, stress_ratio}) ||
-                        has_all(columns, {mean_effective_stress, stress_ratio}) ||
-                        has_all(columns, {axial_stress, radial_stress, pore_pressure}) ||
-                        has_all(columns, {deviator_stress, radial_stress, pore_pressure}) ||
-                        has_all(columns, {deviator_stress, cell_pressure, pore_pressure});
+bool may_be_total_stress(std::span<const Quantity> columns) {
+  return has_all(columns, {axial_displacement, axial_force}) ||
+         has_all(columns, {axial_strain, deviator_stress}) ||
+         has_all(columns, {axial_strain, axial_stress});
+}
+
+std::string missing_channels(std::span<const Quantity> columns, bool total_stress) {
+  const auto lacking = without(columns, {axial_displacement, axial_force, cell_pressure});
+  if (lacking.empty()) return {};
+  const bool stresses = total_stress ? has_deviator(columns) : has_both_stresses(columns);
   if (stresses && has_all(columns, {axial_strain})) return {};
   std::vector<std::string> there;
   for (const Quantity q : columns) there.push_back(heading(q));
-  std::vector<std::string> lacking;
-  for (const Quantity q : kRaw)
-    if (!has_all(columns, {q})) lacking.push_back(heading(q));
-  return fmt::format(
+  std::string text = fmt::format(
       "channels are missing: a raw record also needs {}; a reduced record needs axial_strain and "
       "two stresses, such as deviator_stress_kPa and mean_effective_stress_kPa; found: {}",
       joined(lacking), there.empty() ? "none" : joined(there));
+  if (!may_be_total_stress(columns)) return text;
+  if (!has_all(columns, {deviator_stress})) text += kHeldPressure;
+  if (!total_stress) text += kTotalStress;
+  return text;
 }
 
 }  // namespace triax::lab

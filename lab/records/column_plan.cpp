@@ -8,6 +8,8 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
+#include "lab/intake/names/record_units.hpp"
+#include "lab/intake/names/unit_names.hpp"
 #include "lab/records/metadata.hpp"
 
 namespace triax::lab {
@@ -73,7 +75,16 @@ class Planner {
     throw BadInput(layout_.file, layout_.heading_line, message);
   }
 
+  void plan_placed(const DialectColumn& column) {
+    const std::size_t cell = column.position - 1;
+    if (cell >= cells_.size())
+      fail(fmt::format("the dialect names column {}, but the headings have {}", column.position,
+                       cells_.size()));
+    add(cell, column, split_heading(cells_[cell]).unit);
+  }
+
   void plan_named(const DialectColumn& column) {
+    if (column.position > 0) return plan_placed(column);
     std::optional<Fit> chosen;
     std::size_t cell = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -127,17 +138,42 @@ class Planner {
     planned.cell = cell;
     planned.role = column.role;
     planned.quantity = column.quantity;
+    planned.source = column.source;
     planned.heading = cells_[cell];
-    planned.scale = column.sign * scale(cell, column, heading_unit);
+    planned.date_order = column.date_order;
+    set_scale(planned, column, heading_unit);
     taken_[cell] = true;
     layout_.columns.push_back(std::move(planned));
   }
 
+  static std::string_view unit_of(const DialectColumn& column) {
+    if (column.role == ColumnRole::quantity) return info(column.quantity).unit;
+    if (column.role == ColumnRole::source) return source_quantities()[index(column.source)].unit;
+    return "s";
+  }
+  static bool is_unit(const std::string& text) {
+    return sim::find_unit(text) || !find_unit_names(text).empty();
+  }
+
+  /// A time may be a clock, which has no unit.
+  void set_scale(PlannedColumn& planned, const DialectColumn& column,
+                 const std::optional<std::string>& heading_unit) const {
+    const bool is_time = column.role == ColumnRole::time || column.role == ColumnRole::stage_time;
+    try {
+      planned.scale = column.sign * column.factor * scale(planned.cell, column, heading_unit);
+    } catch (const BadInput& error) {
+      if (!is_time) throw;
+      planned.unit_fault = error.what();
+    }
+  }
+
   double scale(std::size_t cell, const DialectColumn& column,
                const std::optional<std::string>& heading_unit) const {
-    if (column.role == ColumnRole::stage) return 1;
-    const std::string wanted =
-        column.role == ColumnRole::quantity ? std::string(info(column.quantity).unit) : "s";
+    if (column.role == ColumnRole::stage || column.role == ColumnRole::test ||
+        column.role == ColumnRole::date || column.role == ColumnRole::time_of_day)
+      return 1;
+    const std::string wanted(unit_of(column));
+    const auto dimension = sim::find_unit(wanted)->dimension;
     std::optional<std::string> text;
     if (!column.true_unit.empty())
       text = column.true_unit;
@@ -153,14 +189,14 @@ class Planner {
       fail(fmt::format("column {} has no unit; write {}_{} or another unit of this quantity",
                        excerpt(name), name, wanted));
     }
-    const auto unit = sim::find_unit(*text);
+    const auto unit = find_record_unit(*text, dimension);
     if (!unit)
-      fail(fmt::format(
-          "column {} is in {}, an unknown unit; expected {} or another unit of this quantity",
-          excerpt(name), excerpt(*text), wanted.empty() ? "%" : wanted));
-    if (unit->dimension != sim::find_unit(wanted)->dimension)
-      fail(fmt::format("column {} is in {}; expected {}", excerpt(name), excerpt(*text),
-                       wanted.empty() ? "a number without unit, or %" : wanted));
+      fail(
+          fmt::format("column {} is in {}, {}; known: {}. If the heading is wrong, a dialect gives "
+                      "the right one: true_unit = \"{}\"",
+                      excerpt(name), excerpt(*text),
+                      is_unit(*text) ? "which does not fit this quantity" : "an unknown unit",
+                      record_unit_names(dimension), wanted));
     return unit->scale;
   }
 
@@ -195,6 +231,11 @@ std::size_t count_known(const Dialect& dialect, const std::vector<std::string_vi
     if (named || (dialect.own_headings && own_heading(cell))) ++known;
   }
   return known;
+}
+
+bool has_own_heading(const std::vector<std::string_view>& cells) {
+  return std::ranges::any_of(
+      cells, [](std::string_view cell) { return !cell.empty() && own_heading(cell).has_value(); });
 }
 
 std::vector<std::string> plan_columns(TableLayout& layout, std::string_view heading_line,

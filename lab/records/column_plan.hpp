@@ -19,6 +19,8 @@ HeadingParts split_heading(std::string_view heading);
 
 /// How many of the cells are headings that the dialect understands.
 std::size_t count_known(const Dialect& dialect, const std::vector<std::string_view>& cells);
+/// True if one of the cells is a quantity in the form of the CSV format of triax.
+bool has_own_heading(const std::vector<std::string_view>& cells);
 
 /// Fills layout.columns and layout.cell_count. `units` is the row of units below the headings,
 /// empty if there is none. A unit is taken from: true_unit of the dialect, heading, units row,

@@ -2,6 +2,9 @@
 #include "lab/records/dialect.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -9,29 +12,44 @@
 #include "lab/base/embedded.hpp"
 #include "lab/base/text.hpp"
 #include "lab/base/toml_reader.hpp"
+#include "lab/intake/names/record_units.hpp"
+#include "lab/intake/names/unit_names.hpp"
 #include "lab/records/metadata.hpp"
 
 namespace triax::lab {
 namespace {
 
+constexpr std::int64_t kLastPosition = 16'384;
+
+constexpr std::array<std::pair<std::string_view, ColumnRole>, 6> kRoleKeys{
+    {{"time", ColumnRole::time},
+     {"stage_time", ColumnRole::stage_time},
+     {"stage", ColumnRole::stage},
+     {"test", ColumnRole::test},
+     {"date", ColumnRole::date},
+     {"time_of_day", ColumnRole::time_of_day}}};
+
 std::vector<std::string> column_names() {
-  std::vector<std::string> names{"time", "stage_time", "stage"};
+  std::vector<std::string> names;
+  names.reserve(kRoleKeys.size() + quantities().size() + source_quantities().size());
+  for (const auto& [key, role] : kRoleKeys) names.emplace_back(key);
   for (const QuantityInfo& row : quantities()) names.emplace_back(row.name);
+  for (const SourceInfo& row : source_quantities()) names.emplace_back(row.name);
   return names;
 }
 
 Separator read_separator(const TomlTable& table, const char* key) {
+  constexpr std::array kAll{Separator::automatic, Separator::comma,  Separator::semicolon,
+                            Separator::tab,       Separator::blanks, Separator::wide_blanks,
+                            Separator::pipe};
   const auto text = table.text(key).value_or("auto");
-  if (text == "auto") return Separator::automatic;
-  if (text == "," || text == "comma") return Separator::comma;
-  if (text == ";" || text == "semicolon") return Separator::semicolon;
-  if (text == "\t" || text == "tab") return Separator::tab;
-  if (text == " " || text == "blanks") return Separator::blanks;
-  if (text == "wide blanks") return Separator::wide_blanks;
-  table.fail(key,
-             excerpt(text) +
-                 " is not a separator; expected auto, comma, semicolon, tab, 'blanks' (one space "
-                 "or more) or 'wide blanks' (two spaces or more)");
+  for (const Separator one : kAll)
+    if (text == separator_name(one) || (text.size() == 1 && text.front() == character(one)))
+      return one;
+  if (text == " ") return Separator::blanks;
+  table.fail(key, excerpt(text) +
+                      " is not a separator; expected auto, comma, semicolon, tab, pipe, 'blanks' "
+                      "(one space or more) or 'wide blanks' (two spaces or more)");
 }
 
 DecimalMark read_decimal(const TomlTable& table) {
@@ -42,30 +60,62 @@ DecimalMark read_decimal(const TomlTable& table) {
   table.fail("decimal", excerpt(text) + " is not a decimal mark; expected auto, . or ,");
 }
 
+void read_thousands(Dialect& dialect, const TomlTable& table) {
+  const auto text = table.text("thousands");
+  if (!text) return;
+  constexpr std::string_view kMarks = ",.' ";
+  if (text->size() != 1 || kMarks.find(text->front()) == std::string_view::npos)
+    table.fail("thousands", invalid_value(*text, {",", ".", "'", " "}));
+  dialect.thousands = text->front();
+}
+
+/// The dimension of what a column holds.
+sim::Dimension dimension_of(const DialectColumn& column) {
+  switch (column.role) {
+    case ColumnRole::stage:
+    case ColumnRole::test:
+      return sim::Dimension::none;
+    case ColumnRole::quantity:
+      return sim::find_unit(info(column.quantity).unit)->dimension;
+    case ColumnRole::source:
+      return sim::find_unit(source_quantities()[index(column.source)].unit)->dimension;
+    default:
+      break;
+  }
+  return sim::Dimension::time;
+}
+
 void check_unit(const TomlTable& table, const char* key, const std::string& unit,
                 const DialectColumn& column) {
-  if (!table.has(key)) return;
-  const auto wanted = column.role == ColumnRole::stage ? sim::Dimension::none
-                      : column.role == ColumnRole::quantity
-                          ? sim::find_unit(info(column.quantity).unit)->dimension
-                          : sim::Dimension::time;
-  const auto found = sim::find_unit(unit);
-  if (!found)
-    table.fail(
-        key, excerpt(unit) + " is an unknown unit (docs/reference/conventions.md lists all units)");
-  if (found->dimension != wanted) table.fail(key, excerpt(unit) + " does not fit this column");
+  if (!table.has(key) || find_record_unit(unit, dimension_of(column))) return;
+  if (sim::find_unit(unit) || !find_unit_names(unit).empty())
+    table.fail(key, excerpt(unit) + " does not fit this column; expected one of " +
+                        record_unit_names(dimension_of(column)));
+  table.fail(key, excerpt(unit) +
+                      " is an unknown unit; known: " + record_unit_names(dimension_of(column)));
+}
+
+/// Of a column with a date.
+void read_date_order(DialectColumn& column, const TomlTable& table) {
+  if (column.role != ColumnRole::time && column.role != ColumnRole::date) return;
+  const auto text = table.text("date_order");
+  if (!text) return;
+  column.date_order = find_date_order(*text);
+  if (!column.date_order)
+    table.fail("date_order", invalid_value(*text, {"year first", "day first", "month first"}));
 }
 
 DialectColumn read_column(const TomlTable& columns, const std::string& key) {
   DialectColumn column;
-  if (key == "time") {
-    column.role = ColumnRole::time;
-  } else if (key == "stage_time") {
-    column.role = ColumnRole::stage_time;
-  } else if (key == "stage") {
-    column.role = ColumnRole::stage;
+  const auto* const role =
+      std::ranges::find(kRoleKeys, key, [](const auto& one) { return one.first; });
+  if (role != kRoleKeys.end()) {
+    column.role = role->second;
   } else if (const auto quantity = find_quantity(key)) {
     column.quantity = *quantity;
+  } else if (const auto source = find_source_quantity(key)) {
+    column.role = ColumnRole::source;
+    column.source = *source;
   } else {
     throw BadInput(columns.file(), columns.line(key),
                    fmt::format("unknown key {} in [columns]; {}", excerpt(key),
@@ -74,9 +124,15 @@ DialectColumn read_column(const TomlTable& columns, const std::string& key) {
   if (columns.is_table(key)) {
     const auto table = *columns.table(key);
     column.names = table.texts("names");
+    column.position =
+        static_cast<std::size_t>(table.integer("column", 1, kLastPosition).value_or(0));
     column.unit = table.text("unit").value_or("");
     column.true_unit = table.text("true_unit").value_or("");
     column.sign = table.number("sign").value_or(1);
+    column.factor = table.number("factor").value_or(1);
+    if (!(column.factor > 0) || !std::isfinite(column.factor))
+      table.fail("factor", "expected a number above 0");
+    read_date_order(column, table);
     check_unit(table, "unit", column.unit, column);
     check_unit(table, "true_unit", column.true_unit, column);
     if (column.sign != 1 && column.sign != -1) table.fail("sign", "expected 1 or -1");
@@ -85,7 +141,8 @@ DialectColumn read_column(const TomlTable& columns, const std::string& key) {
   } else {
     column.names = columns.texts(key);
   }
-  if (column.names.empty()) columns.fail(key, "needs the heading of the column, as in the file");
+  if (column.names.empty() && column.position == 0)
+    columns.fail(key, "needs the heading of the column, as in the file, or its place: column = 3");
   return column;
 }
 
@@ -100,7 +157,14 @@ void read_keys(Dialect& dialect, const TomlTable& document, const std::string& g
       throw BadInput(
           table->file(), table->line(name),
           fmt::format("unknown key {} in [{}]; {}", excerpt(name), group, suggestion(key, known)));
-    dialect.keys.push_back({key, table->texts(name)});
+    if (!table->is_number(name)) {
+      dialect.keys.push_back({key, table->texts(name), {}});
+      continue;
+    }
+    RecordHeader probe;
+    const auto value = *table->scalar(name);
+    set_metadata(probe, fmt::format("{}:{}", table->file(), table->line(name)), key, value);
+    dialect.keys.push_back({key, {}, value});
   }
 }
 
@@ -109,6 +173,11 @@ void read_defaults(Dialect& dialect, const TomlTable& document) {
   if (!table) return;
   dialect.programme = table->text("programme").value_or(dialect.programme);
   RecordHeader probe;
+  if (const auto held = table->scalar("cell_pressure_kPa")) {
+    set_metadata(probe, fmt::format("{}:{}", table->file(), table->line("cell_pressure_kPa")),
+                 "test.cell_pressure_kPa", *held);
+    dialect.cell_pressure_pa = probe.cell_pressure_pa;
+  }
   for (const char* key : {"role", "drainage", "control"}) {
     const auto text = table->text(key);
     if (!text) continue;
@@ -142,9 +211,29 @@ Dialect begun_dialect(const TomlTable& document) {
                 fmt::format("unknown dialect {}; {}", excerpt(*base), suggestion(*base, names)));
 }
 
+/// cell_pressure = { value = 300, unit = "kPa" }: the same in all rows. False for any other column.
+bool put_constant(Dialect& dialect, const TomlTable& columns, const std::string& key) {
+  if (!columns.is_table(key)) return false;
+  const auto table = *columns.table(key);
+  const auto value = table.number("value");
+  if (!value) return false;
+  const auto quantity = find_quantity(key);
+  if (!quantity) columns.fail(key, "is no quantity of a record that can have a value for all rows");
+  const auto text = table.text("unit").value_or(std::string(info(*quantity).unit));
+  const DialectColumn column{.quantity = *quantity};
+  check_unit(table, "unit", text, column);
+  table.finish();
+  const auto unit = find_record_unit(text, dimension_of(column));
+  std::erase_if(dialect.constants,
+                [&](const RowConstant& one) { return one.quantity == *quantity; });
+  dialect.constants.push_back({*quantity, sim::to_si(*value, *unit)});
+  return true;
+}
+
 void put_column(Dialect& dialect, const DialectColumn& column) {
   std::erase_if(dialect.columns, [&](const DialectColumn& one) {
-    return one.role == column.role && one.quantity == column.quantity;
+    return one.role == column.role && one.quantity == column.quantity &&
+           one.source == column.source;
   });
   dialect.columns.push_back(column);
 }
@@ -165,10 +254,13 @@ Dialect parse_dialect(std::string_view toml, const std::string& file) {
     table->finish();
   }
   if (const auto table = document.table("table")) {
+    dialect.encoding = table->text("encoding").value_or(dialect.encoding);
     if (table->has("separator")) dialect.separator = read_separator(*table, "separator");
     if (table->has("heading_separator"))
       dialect.heading_separator = read_separator(*table, "heading_separator");
     if (table->has("decimal")) dialect.decimal = read_decimal(*table);
+    read_thousands(dialect, *table);
+    dialect.block = static_cast<std::size_t>(table->integer("block", 1, kLastPosition).value_or(0));
     dialect.sheet = table->text("sheet").value_or(dialect.sheet);
     dialect.comment = table->text("comment").value_or(dialect.comment);
     dialect.comment_is_toml = table->flag("comment_is_toml").value_or(dialect.comment_is_toml);
@@ -176,7 +268,8 @@ Dialect parse_dialect(std::string_view toml, const std::string& file) {
     table->finish();
   }
   if (const auto table = document.table("columns"))
-    for (const auto& key : table->keys()) put_column(dialect, read_column(*table, key));
+    for (const auto& key : table->keys())
+      if (!put_constant(dialect, *table, key)) put_column(dialect, read_column(*table, key));
   if (dialect.columns.empty())
     throw BadInput(file, 0, "a dialect needs [columns], for example axial_strain = \"eps1\"");
   read_keys(dialect, document, "test");

@@ -1,35 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A dialect says how one kind of file holds a record: a small TOML, data and not code
-// (docs/reference/record-files.md lists its keys). The ones in lab/records/dialects ship with
+// (docs/reference/foreign-tables.md lists its keys). The ones in lab/records/dialects ship with
 // triax.
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "lab/intake/cells/clock_format.hpp"
 #include "lab/records/cells/cells.hpp"
+#include "lab/records/row_completion.hpp"
 #include "lab/results/record_header.hpp"
 
 namespace triax::lab {
 
-/// What a column holds, beside the quantities.
-enum class ColumnRole { quantity, time, stage_time, stage };
+/// What a column holds, beside the quantities. A date and a time of day are one time.
+enum class ColumnRole {
+  quantity,
+  time,
+  stage_time,
+  stage,
+  date,
+  time_of_day,
+  source,
+  test  ///< names the test or the specimen of a row
+};
 
 struct DialectColumn {
   ColumnRole role = ColumnRole::quantity;
-  Quantity quantity{};  ///< for ColumnRole::quantity
+  Quantity quantity{};       ///< for ColumnRole::quantity
+  SourceQuantity source{};   ///< for ColumnRole::source
+  std::size_t position = 0;  ///< in a row, from 1; 0: found by its names
   std::vector<std::string>
       names;              ///< synonyms, first choice first; a trailing * stands for anything
   std::string unit;       ///< where the file does not say
   std::string true_unit;  ///< whatever the file says
   double sign = 1;        ///< -1 where the file counts the other way
+  double factor = 1;      ///< the value is that of the file times this (proving ring, dial)
+  std::optional<DateOrder> date_order;  ///< of a time or date; empty: found from the cells
 };
 
-/// A metadata key and the labels under which the preamble has it.
+/// A metadata key with the labels under which the preamble has it, or with its value.
 struct DialectKey {
   std::string key;  ///< "specimen.height_mm"
   std::vector<std::string> labels;
+  std::string value{};  ///< as set_metadata() takes it; empty: by the labels
 };
 
 struct Dialect {
@@ -41,15 +58,24 @@ struct Dialect {
   Separator separator = Separator::automatic;
   Separator heading_separator = Separator::automatic;  ///< where the heading line has its own
   DecimalMark decimal = DecimalMark::open;
-  std::string sheet;             ///< of a workbook; empty: the first that fits
-  std::string comment;           ///< lines that begin so are no rows
+  char thousands = 0;     ///< mark between groups of three digits; 0: none
+  std::string encoding;   ///< of a text file; empty: it is found (lab/intake/text/encoding.hpp)
+  std::size_t block = 0;  ///< of tables side by side, from 1; 0: the only one
+  std::string sheet;      ///< of a workbook; empty: the first that fits
+  std::string comment;    ///< lines that begin so are no rows
   bool comment_is_toml = false;  ///< and hold the metadata as TOML
   bool missing_words = true;     ///< NaN, NA, - and the like mean a missing value, as "" does
   std::vector<DialectColumn> columns;
+  std::vector<RowConstant> constants;
   std::vector<DialectKey> keys;
+  /// True if a column is found by its place, so that the table is found by its shape.
+  bool has_places() const {
+    return std::ranges::any_of(columns, [](const DialectColumn& one) { return one.position > 0; });
+  }
   std::string programme;
-  StageInfo stage;                    ///< of a record with one stage
-  bool drainage_from_columns = true;  ///< judge by the programme's name, then by the columns
+  std::optional<double> cell_pressure_pa;  ///< held, of files without a column of it
+  StageInfo stage;                         ///< of a record with one stage
+  bool drainage_from_columns = true;       ///< if neither readings nor type of test show it
 };
 
 /// With extends = "NAME" what the file says is added to that shipped dialect, or stands in its

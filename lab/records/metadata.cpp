@@ -10,6 +10,7 @@
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
 #include "lab/records/truth_toml.hpp"
+#include "lab/results/labels.hpp"
 
 namespace triax::lab {
 namespace {
@@ -43,6 +44,32 @@ Value one_of(const std::string& where, std::string_view key, std::string_view te
       fmt::format("{}: unknown key {}; {}", where, excerpt(key), suggestion(key, metadata_keys())));
 }
 
+/// A number in the unit of the row or, at the end of `name`, another of its kind, as SI. Empty if
+/// the name is not that of the row. Throws BadInput for no number and for one out of the row's
+/// bounds.
+std::optional<double> value_of(const NumberKey& row, const std::string& where, std::string_view key,
+                               std::string_view name, std::string_view value) {
+  auto unit = *sim::find_unit(row.unit);
+  if (name != full_name(row.name, row.unit)) {
+    const auto other = split_unit(name);
+    if (!other || other->name != row.name || other->unit.dimension != unit.dimension)
+      return std::nullopt;
+    unit = other->unit;
+  }
+  const double number = parse_number(where, key, value);
+  // Compared in the unit that was given, so that a bound itself always counts as inside.
+  const auto bound = [&](double field) {
+    return sim::to_field(sim::to_si(field, *sim::find_unit(row.unit)), unit);
+  };
+  if (!(number >= bound(row.lowest) && number <= bound(row.highest)))
+    throw BadInput(fmt::format("{}: {} = {} is out of range; expected {:g} to {:g}{}{}", where, key,
+                               number, bound(row.lowest), bound(row.highest),
+                               unit.name.empty() ? "" : " ", unit.name));
+  return sim::to_si(number, unit);
+}
+
+constexpr NumberKey kCellPressure{"cell_pressure", "kPa", 0, 1e6};
+
 void set_test(RecordHeader& header, const std::string& where, std::string_view key,
               std::string_view name, std::string_view value) {
   if (name == "name") {
@@ -63,6 +90,8 @@ void set_test(RecordHeader& header, const std::string& where, std::string_view k
       throw BadInput(fmt::format("{}: {} = {} is not an integer from 0 to {}", where, key,
                                  excerpt(value), kMaxSeed));
     header.seed = seed;
+  } else if (const auto held = value_of(kCellPressure, where, key, name, value)) {
+    header.cell_pressure_pa = held;
   } else {
     unknown_key(where, key);
   }
@@ -74,26 +103,11 @@ void set_specimen(SpecimenInfo& specimen, const std::string& where, std::string_
     specimen.material = value;
     return;
   }
-  for (const SpecimenKey& row : specimen_keys()) {
-    auto unit = *sim::find_unit(row.unit);
-    if (name != full_name(row.name, row.unit)) {
-      const auto other = split_unit(name);
-      if (!other || other->name != row.name || other->unit.dimension != unit.dimension) continue;
-      unit = other->unit;
+  for (const SpecimenKey& row : specimen_keys())
+    if (const auto number = value_of(row, where, key, name, value)) {
+      specimen.*row.member = number;
+      return;
     }
-    const double number = parse_number(where, key, value);
-    const double si = sim::to_si(number, unit);
-    // Compared in the unit that was given, so that a bound itself always counts as inside.
-    const auto bound = [&](double field) {
-      return sim::to_field(sim::to_si(field, *sim::find_unit(row.unit)), unit);
-    };
-    if (!(number >= bound(row.lowest) && number <= bound(row.highest)))
-      throw BadInput(fmt::format("{}: {} = {} is out of range; expected {:g} to {:g}{}{}", where,
-                                 key, number, bound(row.lowest), bound(row.highest),
-                                 unit.name.empty() ? "" : " ", unit.name));
-    specimen.*row.member = si;
-    return;
-  }
   unknown_key(where, key);
 }
 
@@ -140,6 +154,44 @@ void set_sensor(RecordHeader& header, const std::string& where, std::string_view
     header.vouched.push_back(*channel);
 }
 
+void set_label_of(RecordHeader& header, const std::string& where, std::string_view key,
+                  std::string_view name, std::string_view value) {
+  const LabelKey* const label = find_label(name);
+  if (label == nullptr) unknown_key(where, key);
+  if (!is_utf8(value) || std::ranges::any_of(value, [](unsigned char c) { return c < ' '; }))
+    throw BadInput(
+        fmt::format("{}: {} = {} must be one line of UTF-8 text", where, key, excerpt(value)));
+  set_label(header, *label, value);
+}
+
+/// The N and the rest of "stages.N.role".
+std::optional<std::pair<int, std::string_view>> split_stage_key(std::string_view rest) {
+  const auto dot = rest.find('.');
+  const auto number = whole_text_as<int>(rest.substr(0, dot));
+  if (dot == std::string_view::npos || !number || *number < 0) return std::nullopt;
+  return std::pair(*number, rest.substr(dot + 1));
+}
+
+std::string stage_text(const StageInfo& stage, std::string_view name) {
+  if (name == "name") return stage.name;
+  if (name == "role") return std::string(to_string(stage.role));
+  if (name == "drainage") return std::string(to_string(stage.drainage));
+  if (name == "control") return std::string(to_string(stage.control));
+  return stage.strain_path_R ? fmt::format("{}", *stage.strain_path_R) : std::string();
+}
+
+/// The row of a key with any unit of its dimension.
+const SpecimenKey* find_specimen_key(std::string_view name) {
+  for (const SpecimenKey& row : specimen_keys()) {
+    if (name == full_name(row.name, row.unit)) return &row;
+    const auto other = split_unit(name);
+    if (other && other->name == row.name &&
+        other->unit.dimension == sim::find_unit(row.unit)->dimension)
+      return &row;
+  }
+  return nullptr;
+}
+
 void append_number(std::string& out, std::string_view name, std::string_view unit,
                    const std::optional<double>& si) {
   if (!si || !std::isfinite(*si)) return;
@@ -163,28 +215,30 @@ std::optional<NamedUnit> split_unit(std::string_view name) {
 
 const std::vector<SpecimenKey>& specimen_keys() {
   static const std::vector<SpecimenKey> keys{
-      {"height", "mm", &SpecimenInfo::height_m, 5, 3000},
-      {"diameter", "mm", &SpecimenInfo::diameter_m, 5, 3000},
-      {"void_ratio", "", &SpecimenInfo::void_ratio, 0.05, 20},
-      {"consolidated_void_ratio", "", &SpecimenInfo::consolidated_void_ratio, 0.05, 20},
-      {"consolidated_height", "mm", &SpecimenInfo::consolidated_height_m, 5, 3000},
-      {"dry_mass", "g", &SpecimenInfo::dry_mass_kg, 0.1, 1e8},
-      {"specific_gravity", "", &SpecimenInfo::specific_gravity, 1, 10},
-      {"membrane_thickness", "mm", &SpecimenInfo::membrane_thickness_m, 1e-3, 10},
-      {"membrane_modulus", "kPa", &SpecimenInfo::membrane_modulus_pa, 1, 1e7},
-      {"limit_friction_angle", "deg", &SpecimenInfo::limit_friction_angle_rad, 1, 89}};
+      {{"height", "mm", 5, 3000}, &SpecimenInfo::height_m},
+      {{"diameter", "mm", 5, 3000}, &SpecimenInfo::diameter_m},
+      {{"void_ratio", "", 0.05, 20}, &SpecimenInfo::void_ratio},
+      {{"consolidated_void_ratio", "", 0.05, 20}, &SpecimenInfo::consolidated_void_ratio},
+      {{"consolidated_height", "mm", 5, 3000}, &SpecimenInfo::consolidated_height_m},
+      {{"dry_mass", "g", 0.1, 1e8}, &SpecimenInfo::dry_mass_kg},
+      {{"specific_gravity", "", 1, 10}, &SpecimenInfo::specific_gravity},
+      {{"membrane_thickness", "mm", 1e-3, 10}, &SpecimenInfo::membrane_thickness_m},
+      {{"membrane_modulus", "kPa", 1, 1e7}, &SpecimenInfo::membrane_modulus_pa},
+      {{"limit_friction_angle", "deg", 1, 89}, &SpecimenInfo::limit_friction_angle_rad},
+      {{"cohesion", "kPa", 0, 1e6}, &SpecimenInfo::cohesion_pa}};
   return keys;
 }
 
 std::vector<std::string> metadata_keys() {
-  std::vector<std::string> keys{"test.name", "test.origin", "test.programme", "test.seed",
-                                "test.cut_short"};
+  std::vector<std::string> keys{"test.name", "test.origin",    "test.programme",
+                                "test.seed", "test.cut_short", "test.cell_pressure_kPa"};
   for (const SpecimenKey& row : specimen_keys())
     keys.push_back("specimen." + full_name(row.name, row.unit));
   for (const char* key :
        {"specimen.material", "stages.N.name", "stages.N.role", "stages.N.drainage",
         "stages.N.control", "stages.N.strain_path_R", "sensors.CHANNEL"})
     keys.emplace_back(key);
+  for (const LabelKey& label : label_keys()) keys.push_back("labels." + std::string(label.key));
   return keys;
 }
 
@@ -199,17 +253,61 @@ void set_metadata(RecordHeader& header, const std::string& where, std::string_vi
     set_specimen(header.specimen, where, key, rest, value);
   } else if (group == "sensors") {
     set_sensor(header, where, key, rest, value);
+  } else if (group == "labels") {
+    set_label_of(header, where, key, rest, value);
   } else if (group == "stages") {
-    const auto second = rest.find('.');
-    const auto number = whole_text_as<int>(rest.substr(0, second));
-    if (second == std::string_view::npos || !number || *number < 0) unknown_key(where, key);
+    const auto split = split_stage_key(rest);
+    if (!split) unknown_key(where, key);
     // A copy first: a bad value leaves no stage behind.
     StageInfo probe;
-    set_stage(probe, where, key, rest.substr(second + 1), value);
-    set_stage(stage_of(header, *number), where, key, rest.substr(second + 1), value);
+    set_stage(probe, where, key, split->second, value);
+    set_stage(stage_of(header, split->first), where, key, split->second, value);
   } else {
     unknown_key(where, key);
   }
+}
+
+std::string canonical_key(std::string_view key) {
+  const auto dot = key.find('.');
+  const auto group = key.substr(0, dot);
+  const auto rest = dot == std::string_view::npos ? std::string_view() : key.substr(dot + 1);
+  if (group == "specimen")
+    if (const SpecimenKey* const row = find_specimen_key(rest))
+      return "specimen." + full_name(row->name, row->unit);
+  if (group == "labels")
+    if (const LabelKey* const label = find_label(rest)) return "labels." + std::string(label->key);
+  if (group == "stages")
+    if (const auto split = split_stage_key(rest))
+      return fmt::format("stages.{}.{}", split->first, split->second);
+  return std::string(key);
+}
+
+std::string metadata_text(const RecordHeader& header, std::string_view key) {
+  const auto dot = key.find('.');
+  const auto group = key.substr(0, dot);
+  const auto rest = dot == std::string_view::npos ? std::string_view() : key.substr(dot + 1);
+  if (key == "test.name") return header.name;
+  if (key == "test.programme") return header.programme;
+  if (key == "test.cut_short") return header.cut_short;
+  if (key == "specimen.material") return header.specimen.material;
+  if (group == "specimen") {
+    const SpecimenKey* const row = find_specimen_key(rest);
+    const auto si = row ? header.specimen.*row->member : std::nullopt;
+    return si ? fmt::format("{:.15g}", sim::to_field(*si, *sim::find_unit(row->unit))) : "";
+  }
+  if (group == "labels") {
+    const LabelKey* const label = find_label(rest);
+    return label ? label_text(header, *label) : "";
+  }
+  if (group == "sensors") {
+    const auto channel = find_quantity(rest);
+    const bool sound =
+        channel && std::ranges::find(header.vouched, *channel) != header.vouched.end();
+    return sound ? "sound" : "";
+  }
+  const auto split = split_stage_key(rest);
+  const StageInfo* const stage = group == "stages" && split ? header.stage(split->first) : nullptr;
+  return stage ? stage_text(*stage, split->second) : std::string();
 }
 
 void read_metadata(RecordHeader& header, std::optional<Truth>& truth, const TomlTable& document) {
@@ -222,6 +320,7 @@ void read_metadata(RecordHeader& header, std::optional<Truth>& truth, const Toml
   if (const auto table = document.table("test")) take(*table, "test.");
   if (const auto table = document.table("specimen")) take(*table, "specimen.");
   if (const auto table = document.table("sensors")) take(*table, "sensors.");
+  if (const auto table = document.table("labels")) take(*table, "labels.");
   std::vector<std::int64_t> described;
   for (const TomlTable& table : document.tables("stages")) {
     const auto number = table.integer("number");
@@ -255,6 +354,7 @@ std::string metadata_toml(const RecordHeader& header) {
   append_text(out, "origin", to_string(header.origin));
   append_text(out, "programme", header.programme);
   if (header.seed) out += fmt::format("seed = {}\n", *header.seed);
+  append_number(out, kCellPressure.name, kCellPressure.unit, header.cell_pressure_pa);
   out += "[specimen]\n";
   append_text(out, "material", header.specimen.material);
   for (const SpecimenKey& row : specimen_keys())

@@ -11,13 +11,17 @@
 
 namespace triax::lab {
 
-/// A key of [specimen] that holds a number.
-struct SpecimenKey {
+/// A key that holds a number.
+struct NumberKey {
   std::string_view name;  ///< "height"
   std::string_view unit;  ///< "mm"; "" for a plain number
+  double lowest;          ///< that a test can have, in `unit`; inclusive
+  double highest;         ///< the same
+};
+
+/// A key of [specimen].
+struct SpecimenKey : NumberKey {
   std::optional<double> SpecimenInfo::*member;
-  double lowest;   ///< that a specimen can have, in `unit`; inclusive
-  double highest;  ///< the same
 };
 const std::vector<SpecimenKey>& specimen_keys();
 
@@ -29,7 +33,16 @@ std::vector<std::string> metadata_keys();
 void set_metadata(RecordHeader& header, const std::string& where, std::string_view key,
                   std::string_view value);
 
-/// Takes [test], [specimen], [[stages]] and [truth] of a document; unknown keys are BadInput.
+/// The key as metadata_keys() spells it, with its own unit: "specimen.height_mm" for
+/// "specimen.height_cm". A key that is unknown stays as it is.
+std::string canonical_key(std::string_view key);
+
+/// The value of a canonical key as --set would give it, a number with 15 digits; empty where it is
+/// unknown or the header has no such stage.
+std::string metadata_text(const RecordHeader& header, std::string_view key);
+
+/// Takes [test], [specimen], [labels], [[stages]] and [truth] of a document; unknown keys are
+/// BadInput.
 void read_metadata(RecordHeader& header, std::optional<Truth>& truth, const TomlTable& document);
 
 /// The same but the ending as TOML text, known values only. Reading it back gives the same values.

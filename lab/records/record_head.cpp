@@ -10,6 +10,7 @@
 #include "lab/base/text.hpp"
 #include "lab/records/column_plan.hpp"
 #include "lab/records/metadata.hpp"
+#include "lab/results/test_type.hpp"
 
 namespace triax::lab {
 namespace {
@@ -51,7 +52,8 @@ void take_label(RecordHeader& header, const TableLayout& layout, std::size_t lin
                                   cells.end(), [](auto text) { return !text.empty(); });
   if (value == cells.end()) return;
   const auto number = static_cast<std::int64_t>(line) + 1;
-  const bool text = key.key.ends_with("material") || key.key.starts_with("test.");
+  const bool text =
+      key.key.ends_with("material") || (key.key.starts_with("test.") && !split_unit(key.key));
   try {
     set_metadata(header, fmt::format("{}:{}", layout.file, number), key_in_unit(key.key, label),
                  text ? std::string(*value) : number_text(*value));
@@ -79,13 +81,45 @@ void keep_line(RecordHeader& header, const std::vector<std::string_view>& cells)
   header.notes.push_back(std::move(note));
 }
 
+/// A held cell pressure counts where no column has it. One that is not above the back pressure is
+/// the effective stress.
+bool is_of_use(const LabelValue& label, const RecordHeader& header, const TableLayout& layout) {
+  if (label.name != "cell_pressure") return true;
+  if (header.has(Quantity::cell_pressure) || header.has(Quantity::radial_stress)) return false;
+  return std::ranges::none_of(layout.labels, [&](const LabelValue& other) {
+    return other.name == "back_pressure" && other.value && label.value &&
+           *other.value >= *label.value;
+  });
+}
+
+/// Labels above a table without a dialect.
+void set_labels(RecordHeader& header, const TableLayout& layout, Findings& findings) {
+  for (const LabelValue& label : layout.labels) {
+    if (label.metadata.empty() || label.is_ambiguous || !is_of_use(label, header, layout)) continue;
+    const auto where = fmt::format("{}:{}", layout.file, label.line);
+    const auto value = label.value ? fmt::format("{:.12g}", *label.value) : label.text;
+    try {
+      set_metadata(header, where, label.metadata, value);
+      findings.note(
+          "label " + label.metadata, label.line,
+          fmt::format("{} = {} is from the lines above the table", label.metadata, value));
+    } catch (const BadInput&) {
+      findings.note(
+          "label " + label.metadata, label.line,
+          fmt::format("{} is not valid for {} and ignored", excerpt(value), label.metadata));
+    }
+  }
+}
+
 }  // namespace
 
 void describe_record(RecordHeader& header, const TableLayout& layout, Findings& findings) {
   header.source = layout.file;
   header.name = std::filesystem::path(layout.file).stem().string();
+  if (!layout.test.empty()) header.name += ", " + layout.test;
   header.dialect = layout.dialect.name;
   header.programme = layout.dialect.programme;
+  header.cell_pressure_pa = layout.dialect.cell_pressure_pa;
   header.columns = layout.quantities();
   header.has_time = layout.has(ColumnRole::time) || layout.has(ColumnRole::stage_time);
   std::vector<std::string_view> cells;
@@ -96,6 +130,10 @@ void describe_record(RecordHeader& header, const TableLayout& layout, Findings& 
       for (const DialectKey& key : layout.dialect.keys)
         take_label(header, layout, line, cells, cell, key, findings);
   }
+  set_labels(header, layout, findings);
+  for (const DialectKey& key : layout.dialect.keys)
+    if (!key.value.empty())
+      set_metadata(header, "dialect " + layout.dialect.name, key.key, key.value);
   if (!header.has_time)
     findings.note("no time", layout.heading_line,
                   "no time column: rates and derivatives are with respect to the axial strain");
@@ -119,23 +157,18 @@ std::string toml_preamble(const TableLayout& layout) {
   return any ? toml : std::string();
 }
 
-bool names_drainage(std::string_view programme) {
-  const auto name = folded(programme);
-  return name.ends_with('u') || name.ends_with('d');
-}
-
 StageInfo single_stage(const TableLayout& layout, std::string_view programme) {
   StageInfo stage = layout.dialect.stage;
   stage.number = 1;
-  if (!layout.dialect.drainage_from_columns) return stage;
-  const auto name = folded(programme);
+  if (stage.drainage != Drainage::unknown) return stage;
+  const TestType* type = find_test_type(programme);
   const auto columns = layout.quantities();
   const auto has = [&](Quantity q) { return std::ranges::find(columns, q) != columns.end(); };
   const bool has_pore_pressure =
       has(Quantity::pore_pressure) || has(Quantity::excess_pore_pressure);
-  const bool named = names_drainage(programme);
-  if (!named && has(Quantity::back_volume)) return stage;
-  const bool drained = named ? name.ends_with('d') : has(Quantity::volumetric_strain);
+  const bool named = type != nullptr;
+  if (!named && (!layout.dialect.drainage_from_columns || has(Quantity::back_volume))) return stage;
+  const bool drained = named ? type->drained : has(Quantity::volumetric_strain);
   if (named || drained || has_pore_pressure)
     stage.drainage = drained ? Drainage::open : Drainage::closed;
   return stage;

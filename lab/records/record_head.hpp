@@ -19,12 +19,10 @@ void describe_record(RecordHeader& header, const TableLayout& layout, Findings& 
 /// The preamble of our CSV as TOML text of as many lines as the head has; empty if there is none.
 std::string toml_preamble(const TableLayout& layout);
 
-/// Whether the name of a programme says it: …U, …D.
-bool names_drainage(std::string_view programme);
-
-/// The one stage of a record that has no stage column: the dialect's, with the drainage judged by
-/// the programme (…U, …D) or the columns (pore pressure; volume change) if the dialect leaves it
-/// open. Where the back volume was read only its readings can tell, and it stays unknown here.
+/// The one stage of a record that has no stage column: the dialect's. If the dialect leaves the
+/// drainage open, it is that of the type of test (find_test_type), else that of the columns (pore
+/// pressure; volume change). It stays unknown without a type if the back volume was read, because
+/// then its readings decide.
 StageInfo single_stage(const TableLayout& layout, std::string_view programme);
 
 }  // namespace triax::lab

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +42,32 @@ std::string movements(const StageSummary& moved) {
                        : fmt::format("changed: {}", fmt::join(parts, ", "));
 }
 
+constexpr double kMinDeviator_pa = 5e3;
+constexpr double kConstant = 0.03, kMoves = 0.1;  ///< of the change of q
+constexpr double kStands = 1e-4, kFlows = 1e-3;   ///< volumetric strain
+
+double change_of_deviator(const StageSummary& shear, const SpecimenInfo& specimen) {
+  const double reduced = shear.deviator.range();
+  if (!std::isnan(reduced) || !specimen.diameter_m) return reduced;
+  return shear[Quantity::axial_force].range() /
+         (std::numbers::pi / 4 * *specimen.diameter_m * *specimen.diameter_m);
+}
+
+DrainageEvidence from_stresses(const StageSummary& shear, double deviator) {
+  if (!(deviator >= kMinDeviator_pa)) return {};
+  const double radial = shear.effective_radial.range();
+  const double pore = shear[Quantity::pore_pressure].range();
+  const double total = shear.total_radial.range();
+  if (radial < kConstant * deviator && !(pore >= kConstant * deviator))
+    return {Drainage::open, fmt::format("σ₃′ changes by {:.1f} kPa while q changes by {:.1f} kPa",
+                                        radial / 1e3, deviator / 1e3)};
+  if (pore > kMoves * deviator && total < kConstant * deviator)
+    return {Drainage::closed,
+            fmt::format("the pore pressure changes by {:.1f} kPa at a constant total radial stress",
+                        pore / 1e3)};
+  return {};
+}
+
 }  // namespace
 
 Guess stage_guess(const StageSummary& moved, const StageInfo& inferred,
@@ -69,6 +96,17 @@ Guess drainage_guess(const StageInfo& inferred, const std::string& evidence) {
           .taken = std::string(to_string(inferred.drainage)),
           .evidence = evidence,
           .remedy = said_otherwise(inferred)};
+}
+
+DrainageEvidence find_drainage(const StageSummary& shear, const SpecimenInfo& specimen) {
+  const double volume = shear[Quantity::volumetric_strain].range();
+  const auto strain = fmt::format("its volumetric strain changes by {:.3g} %", volume * 100);
+  if (volume > kFlows) return {Drainage::open, strain};
+  if (auto found = from_stresses(shear, change_of_deviator(shear, specimen));
+      found.drainage != Drainage::unknown)
+    return found;
+  if (volume <= kStands) return {Drainage::closed, strain};
+  return {};
 }
 
 }  // namespace triax::lab

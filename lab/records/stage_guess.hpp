@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What was taken for a stage that a record does not describe, in words.
+// What was taken for a stage that a record does not describe, in words, and what its readings say
+// of the drainage.
+#include <string>
+
 #include "lab/records/stage_inference.hpp"
 #include "lab/results/record_header.hpp"
 
@@ -13,5 +16,19 @@ Guess stage_guess(const StageSummary& moved, const StageInfo& inferred,
 
 /// The drainage of a record's only stage, taken from what its columns are or did.
 Guess drainage_guess(const StageInfo& inferred, const std::string& evidence);
+
+struct DrainageEvidence {
+  Drainage drainage = Drainage::unknown;  ///< unknown: the readings do not show it
+  std::string text;                       ///< evidence, with numbers and units; may be empty
+};
+
+/// From the stresses, where q changed by 5 kPa or more (Δq; of raw channels F over the area of
+/// `specimen`), and from the volumetric strain:
+///   open    ε_v changed by more than 0.1 %; or σ₃' changed by less than 3 % of Δq, and u, where it
+///           was read too: in an undrained test σ₃' follows the pore pressure
+///   closed  u changed by more than 10 % of Δq, while σ₃' + u changed by less than 3 % of Δq; or
+///           ε_v changed by less than 0.01 %
+/// A path at constant p' or q changes σ₃' and may be either.
+DrainageEvidence find_drainage(const StageSummary& shear, const SpecimenInfo& specimen);
 
 }  // namespace triax::lab

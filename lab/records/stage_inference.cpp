@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/records/stage_inference.hpp"
 
+#include "lab/records/stage_guess.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -123,6 +125,27 @@ void look_around(std::vector<StageInfo>& stages, const std::vector<const StageSu
   }
 }
 
+double first_known(std::initializer_list<double> values) {
+  for (const double value : values)
+    if (!std::isnan(value)) return value;
+  return kMissing;
+}
+
+double deviator_of(const Row& row) {
+  const auto value = [&](Quantity q) { return row.si[index(q)]; };
+  const double total_radial = first_known({value(radial_stress), value(cell_pressure)});
+  return first_known({value(effective_axial_stress) - value(effective_radial_stress),
+                      value(deviator_stress), value(axial_stress) - total_radial,
+                      value(stress_ratio) * value(mean_effective_stress)});
+}
+
+double effective_radial_of(const Row& row, double q) {
+  const auto value = [&](Quantity quantity) { return row.si[index(quantity)]; };
+  const double total_radial = first_known({value(radial_stress), value(cell_pressure)});
+  return first_known({value(effective_radial_stress), value(effective_axial_stress) - q,
+                      value(mean_effective_stress) - q / 3, total_radial - value(pore_pressure)});
+}
+
 }  // namespace
 
 void LineFit::add(double x, double y) {
@@ -156,6 +179,10 @@ double StageSummary::Span::excursion() const { return std::max(high - first, fir
 void StageSummary::add(const Row& row) {
   if (rows++ == 0) first_line = row.line;
   for (std::size_t i = 0; i < spans.size(); ++i) spans[i].add(row.si[i]);
+  const double q = deviator_of(row), radial = effective_radial_of(row, q);
+  deviator.add(q);
+  effective_radial.add(radial);
+  total_radial.add(radial + row.si[index(pore_pressure)]);
   const double time = std::isnan(row.stage_time_s) ? row.time_s : row.stage_time_s;
   displacement_in_time.add(time, row.si[index(axial_displacement)]);
   force_in_time.add(time, row.si[index(axial_force)]);
@@ -163,11 +190,13 @@ void StageSummary::add(const Row& row) {
 }
 
 std::vector<StageSummary> summarise_stages(
-    TableReader& reader, const std::function<int(double value, std::int64_t line)>& number_of) {
+    TableReader& reader, const std::function<int(double value, std::int64_t line)>& number_of,
+    const std::optional<double>& held_cell_pressure) {
   constexpr std::size_t kMostStages = 10'000;
   std::vector<StageSummary> stages;
   Row row;
   while (reader.next(row)) {
+    if (held_cell_pressure) row.si[index(cell_pressure)] = *held_cell_pressure;
     const int number = std::isnan(row.stage) ? (stages.empty() ? 1 : stages.back().number)
                                              : number_of(row.stage, row.line);
     if (stages.empty() || stages.back().number != number) {
@@ -192,6 +221,8 @@ std::vector<StageInfo> infer_stages(const std::vector<StageSummary>& summaries,
     const double volume = summary[back_volume].range();
     if (!std::isnan(volume))
       stage.drainage = volume <= least.volume ? Drainage::closed : Drainage::open;
+    else if (!std::isnan(summary[volumetric_strain].range()))
+      stage.drainage = find_drainage(summary, specimen).drainage;
     const bool sheared = summary[axial_displacement].range() > least.displacement &&
                          summary[axial_force].excursion() > least.force;
     if (sheared) {

@@ -37,6 +37,9 @@ struct StageSummary {
   std::int64_t rows = 0;
   std::int64_t first_line = 0;
   std::array<Span, kQuantityCount> spans;
+  Span deviator;          ///< q, or σ₁' − σ₃', of the columns; of raw channels none
+  Span effective_radial;  ///< σ₃' as the columns or the pressures give it
+  Span total_radial;      ///< the same and u
   LineFit displacement_in_time;
   LineFit force_in_time;
   LineFit displacement_in_strain;  ///< slope: the height (m) behind the file's own axial strain
@@ -46,8 +49,10 @@ struct StageSummary {
 };
 
 /// Reads all rows once. `number_of` turns the stage column's value in a line into a stage number.
+/// `held_cell_pressure` (Pa) is that of each row of a table without a column of it.
 std::vector<StageSummary> summarise_stages(
-    TableReader& reader, const std::function<int(double value, std::int64_t line)>& number_of);
+    TableReader& reader, const std::function<int(double value, std::int64_t line)>& number_of,
+    const std::optional<double>& held_cell_pressure = {});
 
 /// Role, drainage and control of each stage; `specimen` gives the scale of what counts as movement.
 ///   shear          the cap moves by more than 0.5 % of the height while |ΔF| exceeds 5 kPa·A. In

@@ -38,8 +38,8 @@ ReducedColumns::ReducedColumns(const RecordHeader& header) : stages_(header.stag
       stages_, [](const StageInfo& s) { return s.drainage == Drainage::closed; });
   if (!has_volume && (stages_.empty() || !closed))
     warnings_.push_back({0,
-                         "the record has no volume change: drained stages cannot be assessed, all "
-                         "others are assumed undrained (ε_v = 0)"});
+                         "the record has no volume change: drained stages are assessed only "
+                         "while σ₃′ is constant, all others are assumed undrained (ε_v = 0)"});
   only_excess_ = header.has(excess_pore_pressure) && !header.has(pore_pressure) &&
                  !header.has(axial_stress) && !header.has(radial_stress) &&
                  !header.has(cell_pressure);
@@ -95,14 +95,23 @@ State ReducedColumns::reduce(const Reading& r) {
   s.cycle = r[Quantity::cycle];
   take_stresses(r, s);
   take_strains(r, s);
-  if (!p_eff_start_ && std::isfinite(s.p_eff)) p_eff_start_ = s.p_eff;
+  take_start(r, s);
   return s;
+}
+
+void ReducedColumns::take_start(const Reading& r, const State& s) {
+  if (is_sheared_ || !std::isfinite(s.p_eff)) return;
+  const auto info = std::ranges::find(stages_, r.stage, &StageInfo::number);
+  is_sheared_ = info != stages_.end() && info->role == StageRole::shear;
+  const bool follows_stages = is_sheared_ && p_eff_start_;
+  if (!p_eff_start_ || is_sheared_) p_eff_start_ = s.p_eff;
+  if (follows_stages && std::isfinite(s.void_ratio)) void_ratio_sheared_ = s.void_ratio;
 }
 
 Consolidation ReducedColumns::consolidation() const {
   return {.p_eff_pa = p_eff_start_,
           .b_value = {},
-          .void_ratio = void_ratio_start_,
+          .void_ratio = void_ratio_sheared_ ? void_ratio_sheared_ : void_ratio_start_,
           .height_m = {},
           .diameter_m = {}};
 }

@@ -30,11 +30,15 @@ class ReducedColumns {
   bool undrained(int stage) const;
   void take_stresses(const Reading& r, State& s) const;
   void take_strains(const Reading& r, State& s);
+  /// The values at the start of shear are those of its first reading.
+  void take_start(const Reading& r, const State& s);
 
   std::vector<StageInfo> stages_;
   std::optional<double> void_ratio_start_, p_eff_start_;
-  std::optional<double> first_void_ratio_;  ///< that the void ratio's column holds
-  bool only_excess_ = false;                ///< Δu stands for u
+  std::optional<double> first_void_ratio_;    ///< that the void ratio's column holds
+  std::optional<double> void_ratio_sheared_;  ///< at the start of shear, if stages came before
+  bool is_sheared_ = false;
+  bool only_excess_ = false;  ///< Δu is used as u
   std::vector<Warning> warnings_;
 };
 

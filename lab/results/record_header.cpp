@@ -5,7 +5,7 @@
 #include <array>
 
 #include "lab/base/names.hpp"
-#include "lab/base/text.hpp"
+#include "lab/results/test_type.hpp"
 
 namespace triax::lab {
 namespace {
@@ -63,8 +63,13 @@ bool RecordHeader::is_raw() const {
 }
 
 bool RecordHeader::is_total_stress() const {
-  const auto type = folded(programme);
-  return type == "uu" || type == "uum" || type == "unc";
+  const TestType* type = find_test_type(programme);
+  return type != nullptr && type->is_total_stress();
+}
+
+bool RecordHeader::is_unconfined() const {
+  const TestType* type = find_test_type(programme);
+  return type != nullptr && type->unconfined;
 }
 
 const StageInfo* RecordHeader::stage(int number) const {

@@ -50,7 +50,8 @@ struct SpecimenInfo {
   std::optional<double> specific_gravity;
   std::optional<double> membrane_thickness_m;
   std::optional<double> membrane_modulus_pa;
-  std::optional<double> limit_friction_angle_rad;  ///< of the Mohr-Coulomb limit surface
+  std::optional<double> limit_friction_angle_rad;  ///< φ′ of the Mohr-Coulomb limit surface
+  std::optional<double> cohesion_pa;               ///< c′ of it; empty: none is known
   std::string material;
 };
 
@@ -122,6 +123,8 @@ struct RecordHeader {
   std::string dialect;    ///< name of the dialect that read it; empty for a simulation
   std::string digest;     ///< SHA-256 of the bytes of `source` in hex; empty for a simulation
   std::optional<std::uint64_t> seed;
+  /// Held all through the test, of a record without a column of it: its readings are given this.
+  std::optional<double> cell_pressure_pa;
   SpecimenInfo specimen;
   std::vector<StageInfo> stages;  ///< may be empty: everything is then one stage of unknown role
   std::vector<Quantity> columns;  ///< what the readings hold
@@ -141,9 +144,11 @@ struct RecordHeader {
   bool has(Quantity column) const;
   /// True where the raw channels suffice for our own reduction; else the record enters at State.
   bool is_raw() const;
-  /// Without consolidation, in total stresses, by its programme: UU, UUM (several stages), UNC
-  /// (unconfined). Nobody measures the pore pressure of such a test.
+  /// Without consolidation, in total stresses, by its programme: UU, UUM (several stages), UC, UNC
+  /// (unconfined). Its result is c_u; collapse, a matter of effective stresses, is not assessed.
   bool is_total_stress() const;
+  /// By its programme: UC, UNC. The cell pressure is zero.
+  bool is_unconfined() const;
   const StageInfo* stage(int number) const;
 };
 

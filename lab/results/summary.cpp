@@ -2,6 +2,7 @@
 #include "lab/results/summary.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "lab/base/names.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
@@ -70,9 +71,18 @@ void Collapse::remove_onset() {
   onset.reset();
   noticed.reset();
   inside_limit_surface.reset();
-  if (!limit_stress_ratio || limit_source == kGivenLimit) return;
+  if (!limit_stress_ratio || limit_source == kGivenLimit || limit_source == kGivenLimitWithCohesion)
+    return;
   limit_stress_ratio.reset();
+  limit_intercept_pa.reset();
   limit_source = "unknown";
+}
+
+/// What was not assessed for one reason is not for that of the whole.
+void Collapse::explain(const std::string& reason) {
+  constexpr std::string_view kNot = "not assessed";
+  for (Criterion& c : criteria)
+    if (c.evidence.starts_with(kNot)) c.evidence = std::string(kNot) + ": " + reason;
 }
 
 void Collapse::withhold(const std::string& reason) {
@@ -85,6 +95,7 @@ void Collapse::withhold(const std::string& reason) {
   judged_until.reset();
   judged_until_reason = reason;
   for (Criterion& c : criteria) c.detected.reset();
+  explain(reason);
 }
 
 void Collapse::end_at(std::optional<std::int64_t> last, const std::string& reason) {
@@ -96,7 +107,10 @@ void Collapse::end_at(std::optional<std::int64_t> last, const std::string& reaso
   judged_until_reason = reason;
   for (Criterion& c : criteria)
     if (!c.found()) c.detected.reset();
+  explain(reason);
 }
+
+double UndrainedStrength::c_u_pa() const { return std::fabs(at.q_pa.value_or(0)) / 2; }
 
 std::optional<double> Instant::phi_mob_rad() const {
   const auto ratio = eta();

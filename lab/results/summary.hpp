@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lab/results/outlook.hpp"
@@ -24,7 +25,7 @@ enum class EventKind {
   stage_started,
   loss_of_sustainability,  ///< second-order work vanished for good, inside the limit surface
   limit_surface,           ///< likewise, on it: a failure, no diffuse collapse
-  failure,                 ///< a drained failure; the limit is unknown
+  failure,                 ///< drained, or with an unknown cohesion; the limit is unknown
   sensor_fault,            ///< a sensor cannot be believed
   device_fault,            ///< a device of the rig does not do what it was asked
   held,                    ///< paused, by the operator or from outside
@@ -149,6 +150,8 @@ struct Nearest {
 
 /// `limit_source` of a limit whose friction angle was given.
 inline constexpr const char* kGivenLimit = "friction angle of the specimen";
+inline constexpr const char* kGivenLimitWithCohesion =
+    "friction angle and cohesion of the specimen";
 
 /// One of three answers, never mixed: collapse (`detected()`), none (`judged` and not detected:
 /// shear was judged to its end), or not judged.
@@ -171,8 +174,10 @@ struct Collapse {
   std::optional<double> second_order_work_error;
   /// Share of |q| at the onset that was lost while second-order work was negative.
   std::optional<double> strength_lost;
-  std::optional<double> limit_stress_ratio;  ///< M of the limit surface; empty: unknown
-  std::string limit_source;                  ///< where M comes from, or why it is unknown
+  /// Limit surface in compression, q = M p′ + k: M and, of a specimen with cohesion, k in Pa;
+  /// empty: unknown, none.
+  std::optional<double> limit_stress_ratio, limit_intercept_pa;
+  std::string limit_source;  ///< where M comes from, or why it is unknown
   std::vector<Criterion> criteria;
   std::optional<Nearest> nearest;  ///< to second-order work that vanishes, over what was judged
   /// First reading of shear that was judged; empty: none was.
@@ -191,6 +196,7 @@ struct Collapse {
   void end_at(std::optional<std::int64_t> last, const std::string& reason);
 
  private:
+  void explain(const std::string& reason);
   /// With it goes a limit that only the failure at the onset had shown.
   void remove_onset();
 };
@@ -227,9 +233,32 @@ struct GuardOutcome {
   std::optional<Without> without;
 };
 
+/// Failure of a test in total stresses: the largest |q| up to an axial strain of 20 %
+/// (ISO 17892-8).
+struct UndrainedStrength {
+  Instant at;
+  /// Where ASTM D2850 ends, at 15 %; empty: failure came before that.
+  std::optional<Instant> at_15_pct;
+  double last_axial_strain = 0;  ///< of shear
+  bool peaked = true;            ///< q fell afterwards; else it was still rising at `at`
+  /// c_u = |q|/2, Pa.
+  double c_u_pa() const;
+};
+
+/// Facts that a record has given by its end, and those of its readings that are not stored with
+/// them: with these a test can be reduced again from its stored readings.
+struct RecordEnding {
+  std::int64_t warnings = 0;  ///< the first of TestSummary::warnings, which came from the record
+  std::string cut_short;      ///< as in RecordHeader
+  bool back_volume_joined = false;
+  /// Reading and line of the file where each stage begins; empty for a test that no file holds.
+  std::vector<std::pair<std::int64_t, std::int64_t>> stage_lines;
+};
+
 struct TestSummary {
   Consolidation consolidation;
-  std::optional<Instant> peak;  ///< of q
+  std::optional<Instant> peak;                          ///< of q
+  std::optional<UndrainedStrength> undrained_strength;  ///< empty: not a test in total stresses
   Collapse collapse;
   std::optional<CyclicLoading> cyclic;  ///< empty: no cyclic test
   std::optional<GuardOutcome> guard;    ///< empty: none acted
@@ -239,6 +268,7 @@ struct TestSummary {
   std::string membrane_correction;
   std::vector<Warning> warnings;
   std::int64_t readings = 0;
+  RecordEnding ending;  ///< written by a session; empty in what is read from a database
 };
 
 }  // namespace triax::lab

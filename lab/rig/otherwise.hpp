@@ -5,13 +5,13 @@
 #include <memory>
 #include <vector>
 
-#include "lab/rig/recorded.hpp"
+#include "lab/rig/back_end.hpp"
 #include "lab/rig/session.hpp"
 
 namespace triax::lab {
 
 /// Opens the record with one more --set.
-using OpenOtherwise = std::function<std::unique_ptr<RecordedRig>(const Guess::Said& said)>;
+using OpenOtherwise = std::function<std::unique_ptr<BackEnd>(const Guess::Said& said)>;
 
 /// What the record comes to with each answer of header.guesses[].otherwise, one run each, told to
 /// nobody. An answer with which it cannot be read is left out.

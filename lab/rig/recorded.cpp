@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -12,37 +11,37 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/digest.hpp"
+#include "lab/base/text.hpp"
+#include "lab/intake/names/stage_words.hpp"
 #include "lab/records/back_pressure_check.hpp"
 #include "lab/records/channels.hpp"
 #include "lab/records/counter_join.hpp"
 #include "lab/records/metadata.hpp"
 #include "lab/records/record_head.hpp"
-#include "lab/records/rows_ahead.hpp"
+#include "lab/records/rows/find_reversed_rows.hpp"
+#include "lab/records/rows/rows_ahead.hpp"
+#include "lab/records/rows/sample_rows.hpp"
 #include "lab/records/stage_guess.hpp"
 #include "lab/records/stage_inference.hpp"
 #include "lab/records/stage_number.hpp"
 #include "lab/records/table_reader.hpp"
+#include "lab/records/tables/table_recognition.hpp"
 #include "lab/records/time_line.hpp"
+#include "lab/results/test_type.hpp"
+#include "lab/rig/chosen_test.hpp"
+#include "lab/rig/diggs_record.hpp"
 #include "lab/rig/sheet_record.hpp"
 #include "sim/mechanics/units.hpp"
 
 namespace triax::lab {
 namespace {
 
-std::optional<Dialect> named_dialect(const RecordOptions& options) {
-  if (options.dialect.empty()) return std::nullopt;
-  return find_dialect(options.dialect);
-}
-
-// The N of "stages.N.role"; nothing for other keys and for what set_metadata will refuse.
-std::optional<int> stage_in(std::string_view key) {
-  constexpr std::string_view kGroup = "stages.";
-  if (!key.starts_with(kGroup)) return std::nullopt;
-  key.remove_prefix(kGroup.size());
-  int number = 0;
-  const auto [stop, error] = std::from_chars(key.data(), key.data() + key.size(), number);
-  if (error != std::errc{} || number < 0) return std::nullopt;
-  return number;
+/// All that was stated about the record, the stronger later.
+std::vector<SetValue> stated_values(const RecordOptions& options) {
+  std::vector<SetValue> all = options.job;
+  for (const auto& [key, value] : options.sets)
+    all.push_back({key, value, fmt::format("--set {}={}", key, value)});
+  return all;
 }
 
 /// Drained compression below the p' or σ'_r that it began with: the confinement was taken away, so
@@ -64,17 +63,26 @@ struct RecordedRig::Impl {
        const std::string& metadata_file, const std::string& metadata)
       : source(std::move(bytes)),
         findings(header.warnings),
-        layout(recognise_table(*source, named_dialect(options), findings)),
+        layout(recognise_table(*source, dialect_for(*source, options, findings), findings,
+                               chosen_test(*source, options))),
         stage_numbers(layout.file),
         time_line(layout.has(ColumnRole::time), layout.has(ColumnRole::stage_time)) {
     describe_record(header, layout, findings);
+    note_encoding(*source, findings);
     take_cells(header, *source, layout, findings);
+    take_diggs_notes(header, *source, findings);
+    source = in_order(std::move(source), layout);
     read_document(metadata_file, metadata);
-    apply_sets(options, false);
+    const auto stated = stated_values(options);
+    apply_values(stated, false);
+    settle_cell_pressure();
+    settle_channels();
     settle_stages();
-    check_stages_to_set(options);
-    apply_sets(options, true);
+    check_stages_to_set(stated);
+    apply_values(stated, true);
     header.digest = sha256(source->file());
+    if (!layout.test.empty())
+      header.digest = sha256(*open_memory(layout.file, header.digest + '\n' + layout.test));
     rows.emplace(*source, layout, findings, header.warnings);
     waiting = draw(first);
     if (!waiting) throw BadInput(layout.file, layout.heading_line, "no row of readings");
@@ -82,13 +90,19 @@ struct RecordedRig::Impl {
 
   TomlTable parse_preamble(const std::string& toml) const;
   void read_document(const std::string& metadata_file, const std::string& metadata);
-  void apply_sets(const RecordOptions& options, bool stages);
-  void settle_guess(const std::string& key);
-  void tell_contradiction(const SpecimenInfo& before, const std::string& where);
+  void apply_values(const std::vector<SetValue>& stated, bool stages);
+  void report_contradiction(const SpecimenInfo& before, const std::string& where);
   void settle_stages();
+  void settle_cell_pressure();
+  void settle_channels();
   void settle_drainage(StageInfo& only);
-  std::vector<StageSummary> stages_of_rows() const;
-  void check_stages_to_set(const RecordOptions& options);
+  void settle_named_drainage(StageInfo& only, const TestType& type);
+  void settle_drainage_by_columns(StageInfo& only);
+  bool name_stage(StageInfo& info) const;
+  std::vector<StageSummary> stages_of_rows();
+  std::vector<StageSummary> stages_of(ByteSource& bytes, const TableLayout& table);
+  std::optional<std::vector<StageSummary>> sample_of_undrained_test();
+  void check_stages_to_set(const std::vector<SetValue>& stated);
   std::set<int> stages_in_rows() const;
   void look_for_typed_height(const std::vector<StageSummary>& summaries);
   bool draw(Reading& reading);
@@ -103,6 +117,8 @@ struct RecordedRig::Impl {
   TimeLine time_line;
   CounterJoin counters;
   std::optional<Truth> truth;
+  std::vector<std::string> stage_names;      ///< of a stage column with words, stage 1 first
+  std::optional<double> held_cell_pressure;  ///< that every reading is given
   std::array<bool, kQuantityCount> filled{};
   Row row;
   Reading first;
@@ -130,38 +146,17 @@ void RecordedRig::Impl::read_document(const std::string& metadata_file,
     read_metadata(header, truth, TomlTable::parse(metadata, metadata_file));
 }
 
-void RecordedRig::Impl::apply_sets(const RecordOptions& options, bool stages) {
-  for (const auto& [key, value] : options.sets) {
-    const auto where = fmt::format("--set {}={}", key, value);
-    // Whether soil or a program gave the readings is for the record to say, not for its reader.
-    if (key == "test.origin" || key == "test.seed")
-      throw BadInput(
-          fmt::format("{}: {} describes the origin of the record; it cannot be set", where, key));
-    if (key.starts_with("stages.") != stages) continue;
+void RecordedRig::Impl::apply_values(const std::vector<SetValue>& stated, bool stages) {
+  for (const SetValue& one : stated) {
+    if (one.key.starts_with("stages.") != stages) continue;
     const SpecimenInfo before = header.specimen;
-    set_metadata(header, where, key, value);
-    tell_contradiction(before, where);
-    if (stages) settle_guess(key);
+    set_value(header, one);
+    report_contradiction(before, one.where);
   }
 }
 
-/// What was said is asked no more: the other answers to it go, and with the last of them, or with
-/// the drainage, the guess itself.
-void RecordedRig::Impl::settle_guess(const std::string& key) {
-  const auto number = stage_in(key);
-  if (!number) return;
-  const bool drainage = key.ends_with(".drainage");
-  if (drainage)
-    std::ranges::find(header.stages, *number, &StageInfo::number)->drainage_was_said = true;
-  std::erase_if(header.guesses, [&](Guess& guess) {
-    if (guess.what != "drainage" && guess.what != fmt::format("stage {}", *number)) return false;
-    std::erase_if(guess.otherwise, [&](const Guess::Said& said) { return said.key == key; });
-    return drainage && guess.otherwise.empty();
-  });
-}
-
 /// What is said stands over what the file says; that they differ may be a slip of either.
-void RecordedRig::Impl::tell_contradiction(const SpecimenInfo& before, const std::string& where) {
+void RecordedRig::Impl::report_contradiction(const SpecimenInfo& before, const std::string& where) {
   constexpr double kRounding = 0.005;
   for (const SpecimenKey& key : specimen_keys()) {
     const auto &was = before.*key.member, &now = header.specimen.*key.member;
@@ -177,54 +172,161 @@ void RecordedRig::Impl::settle_stages() {
   if (!header.stages.empty()) return;
   if (!layout.has(ColumnRole::stage)) {
     header.stages.push_back(single_stage(layout, header.programme));
-    if (layout.dialect.drainage_from_columns && !names_drainage(header.programme))
-      settle_drainage(header.stages.front());
+    if (layout.dialect.stage.drainage == Drainage::unknown) settle_drainage(header.stages.front());
     return;
   }
   // The file numbers its stages but does not say what they are: look at all of it once.
   const auto summaries = stages_of_rows();
   header.stages = infer_stages(summaries, header.specimen);
-  for (const StageInfo& info : header.stages)
+  for (StageInfo& info : header.stages) {
+    if (name_stage(info)) continue;
     header.guesses.push_back(stage_guess(
         *std::ranges::find(summaries, info.number, &StageSummary::number), info, header.specimen));
+  }
   look_for_typed_height(summaries);
 }
 
-/// The only stage of a record that does not say whether it was drained: its columns may.
+/// Takes role and drainage from the word in the stage column. True if it gives both.
+bool RecordedRig::Impl::name_stage(StageInfo& info) const {
+  const auto place = static_cast<std::size_t>(info.number - 1);
+  if (place >= stage_names.size()) return false;
+  info.name = stage_names[place];
+  const StageWords words = read_stage_words(info.name);
+  if (words.role != StageRole::unknown) info.role = words.role;
+  if (words.drainage != Drainage::unknown) info.drainage = words.drainage;
+  return words.role != StageRole::unknown && words.drainage != Drainage::unknown;
+}
+
+/// A pressure that was held is in no column: the metadata give it, and an unconfined test has none.
+void RecordedRig::Impl::settle_cell_pressure() {
+  const bool has_column =
+      header.has(Quantity::cell_pressure) || header.has(Quantity::radial_stress);
+  if (has_column && header.cell_pressure_pa)
+    header.warnings.push_back({0,
+                               "the cell pressure that was given is not used: the record has a "
+                               "column of it"});
+  if (!has_column && !header.cell_pressure_pa && header.is_unconfined()) {
+    held_cell_pressure = 0;
+    header.warnings.push_back(
+        {0, fmt::format("{}: unconfined, the cell pressure is assumed to be 0 kPa",
+                        header.programme)});
+  } else if (!has_column) {
+    held_cell_pressure = header.cell_pressure_pa;
+  }
+  if (held_cell_pressure) header.columns.push_back(Quantity::cell_pressure);
+  if (const auto missing = missing_channels(header.columns, header.is_total_stress());
+      !missing.empty())
+    throw BadInput(layout.file, layout.heading_line, joined({missing, layout.ignored}, "; "));
+}
+
+/// Raw channels need the dimensions of the specimen. Without them, the strains and stresses of the
+/// file are used if it has them.
+void RecordedRig::Impl::settle_channels() {
+  const SpecimenInfo& specimen = header.specimen;
+  const bool has_dimensions = specimen.height_m && specimen.diameter_m;
+  if (!header.is_raw() || has_dimensions || layout.dialect.own_headings) return;
+  auto reduced = header.columns;
+  std::erase(reduced, Quantity::axial_force);
+  std::erase(reduced, Quantity::axial_displacement);
+  if (!missing_channels(reduced, header.is_total_stress()).empty()) return;
+  header.columns = std::move(reduced);
+  std::erase_if(layout.columns, [](const PlannedColumn& column) {
+    return column.role == ColumnRole::quantity && (column.quantity == Quantity::axial_force ||
+                                                   column.quantity == Quantity::axial_displacement);
+  });
+  header.warnings.push_back(
+      {layout.heading_line,
+       "the file does not state height and diameter: its strains and stresses are used, not its "
+       "displacement and force; otherwise --set specimen.height_mm=... and specimen.diameter_mm"});
+}
+
+/// The only stage of a record that does not say whether it was drained: its readings may, else the
+/// type of the test, else its columns.
 void RecordedRig::Impl::settle_drainage(StageInfo& only) {
+  if (const TestType* type = find_test_type(header.programme)) {
+    settle_named_drainage(only, *type);
+    return;
+  }
   if (only.drainage == Drainage::unknown && header.has(Quantity::back_volume)) {
     const auto summaries = stages_of_rows();
     only.drainage = infer_stages(summaries, header.specimen)[0].drainage;
     header.guesses.push_back(stage_guess(summaries.front(), only, header.specimen));
     return;
   }
+  settle_drainage_by_columns(only);
+}
+
+/// Readings that contradict the type count, but for a raw record of an undrained test: a pore
+/// pressure that does not answer may be that of a dead transducer (ClosedDrainage).
+void RecordedRig::Impl::settle_named_drainage(StageInfo& only, const TestType& type) {
+  const bool has_volume_counter = header.is_raw() && header.has(Quantity::back_volume);
+  if (type.is_total_stress() || has_volume_counter) return;
+  if (!type.drained && sample_of_undrained_test()) return;
+  const auto found = find_drainage(stages_of_rows().front(), header.specimen);
+  const bool is_open = found.drainage == Drainage::open;
+  if (found.drainage == Drainage::unknown || is_open == type.drained) return;
+  if (is_open && header.is_raw()) return;
+  only.drainage = found.drainage;
+  header.warnings.push_back(
+      {0,
+       fmt::format("type {} is {}, but {}: assessed as {}; otherwise --set stages.{}.drainage={}",
+                   header.programme, type.drained ? "drained" : "undrained", found.text,
+                   is_open ? "drained" : "undrained", only.number, is_open ? "closed" : "open")});
+}
+
+void RecordedRig::Impl::settle_drainage_by_columns(StageInfo& only) {
+  auto summaries = sample_of_undrained_test();
+  if (!summaries) summaries = stages_of_rows();
+  const StageSummary& shear = summaries->front();
+  const auto found = find_drainage(shear, header.specimen);
+  if (found.drainage != Drainage::unknown) only.drainage = found.drainage;
   if (only.drainage == Drainage::unknown) return;
-  if (!header.has(Quantity::volumetric_strain)) {
-    header.guesses.push_back(drainage_guess(only, "it has a pore pressure and no volume"));
-    return;
-  }
-  const auto summaries = stages_of_rows();
-  const double range = summaries.front()[Quantity::volumetric_strain].range();
+  const double range = shear[Quantity::volumetric_strain].range();
   constexpr double kStands = 1e-4;
-  only.drainage = range > kStands ? Drainage::open : Drainage::closed;
-  header.guesses.push_back(
-      drainage_guess(only, fmt::format("its volumetric strain changes by {:.3g} %", range * 100)));
+  if (found.drainage == Drainage::unknown && header.has(Quantity::volumetric_strain))
+    only.drainage = range > kStands ? Drainage::open : Drainage::closed;
+  std::string evidence = found.text;
+  if (evidence.empty())
+    evidence = header.has(Quantity::volumetric_strain)
+                   ? fmt::format("its volumetric strain changes by {:.3g} %", range * 100)
+                   : "it has a pore pressure and no volume";
+  header.guesses.push_back(drainage_guess(only, evidence));
+  if (only.drainage != Drainage::open) return;
   auto& otherwise = header.guesses.back().otherwise;
   // Between a strain that is nothing and one that is plainly water nobody knows.
-  constexpr double kPlain = 1e-3;
-  if (range > kStands && range <= kPlain)
+  if (found.drainage == Drainage::unknown)
     otherwise.push_back({fmt::format("stages.{}.drainage", only.number), "closed"});
-  if (range > kStands && only.control == AxialControl::unknown && was_unconfined(summaries.front()))
+  if (only.control == AxialControl::unknown && was_unconfined(shear))
     otherwise.push_back({fmt::format("stages.{}.control", only.number), "constant_q"});
 }
 
-std::vector<StageSummary> RecordedRig::Impl::stages_of_rows() const {
+/// Of the first and last rows of a long record, if a pore pressure shows that it is undrained: what
+/// it does between does not change that. Nothing otherwise.
+std::optional<std::vector<StageSummary>> RecordedRig::Impl::sample_of_undrained_test() {
+  if (header.has(Quantity::volumetric_strain) || layout.is_reversed) return std::nullopt;
+  const TableSample sample = read_sample(*source);
+  if (sample.whole) return std::nullopt;
+  const SampleRows ends = sample_rows(sample, layout);
+  auto summaries = stages_of(*ends.text, ends.layout);
+  if (summaries.empty() ||
+      find_drainage(summaries.front(), header.specimen).drainage != Drainage::closed)
+    return std::nullopt;
+  return summaries;
+}
+
+std::vector<StageSummary> RecordedRig::Impl::stages_of_rows() { return stages_of(*source, layout); }
+
+std::vector<StageSummary> RecordedRig::Impl::stages_of(ByteSource& bytes,
+                                                       const TableLayout& table) {
   std::vector<Warning> repeated;
   Findings scratch(repeated);
-  TableReader reader(*source, layout, scratch);
+  TableReader reader(bytes, table, scratch);
   StageNumbers numbers(layout.file);
-  return summarise_stages(
-      reader, [&](double value, std::int64_t line) { return numbers.of(value, line, scratch); });
+  auto summaries = summarise_stages(
+      reader, [&](double value, std::int64_t line) { return numbers.of(value, line, scratch); },
+      held_cell_pressure);
+  stage_names = reader.stage_names();
+  return summaries;
 }
 
 std::set<int> RecordedRig::Impl::stages_in_rows() const {
@@ -241,18 +343,18 @@ std::set<int> RecordedRig::Impl::stages_in_rows() const {
 
 // A stage that the metadata do not name may still stand in the rows: only then are they looked
 // through.
-void RecordedRig::Impl::check_stages_to_set(const RecordOptions& options) {
+void RecordedRig::Impl::check_stages_to_set(const std::vector<SetValue>& stated) {
   std::optional<std::set<int>> known;
-  for (const auto& [key, value] : options.sets) {
-    const auto number = stage_in(key);
+  for (const SetValue& one : stated) {
+    const auto number = stage_of_key(one.key);
     if (!number || header.stage(*number)) continue;
     if (!known) {
       known = layout.has(ColumnRole::stage) ? stages_in_rows() : std::set<int>();
       for (const StageInfo& info : header.stages) known->insert(info.number);
     }
     if (!known->contains(*number))
-      throw BadInput(fmt::format("--set {}={}: {} has no stage {}; it has {}", key, value,
-                                 layout.file, *number, fmt::join(*known, ", ")));
+      throw BadInput(fmt::format("{}: {} has no stage {}; it has {}", one.where, layout.file,
+                                 *number, fmt::join(*known, ", ")));
   }
 }
 
@@ -303,6 +405,7 @@ bool RecordedRig::Impl::draw(Reading& reading) {
     counters.apply(row.si, stage, begins, row.line, findings);
     header.back_volume_joined = counters.joined(Quantity::back_volume);
   }
+  if (held_cell_pressure) row.si[index(Quantity::cell_pressure)] = *held_cell_pressure;
   reading.number = count++;
   reading.stage = stage;
   reading.si = row.si;
@@ -324,7 +427,7 @@ void RecordedRig::Impl::finish() {
   for (const Quantity q : header.columns)
     if (filled[index(q)]) held.push_back(q);
   if (count > 0)
-    if (const auto missing = missing_channels(held); !missing.empty())
+    if (const auto missing = missing_channels(held, header.is_total_stress()); !missing.empty())
       throw BadInput(layout.file, layout.heading_line, "a column without any value: " + missing);
   if (!rows->trailer().empty()) {
     RecordHeader end;
@@ -334,6 +437,7 @@ void RecordedRig::Impl::finish() {
   over = true;
   findings.finish();
   rows->finish();
+  remove_text_lines(header.warnings, *source);
 }
 
 RecordedRig::RecordedRig(std::unique_ptr<ByteSource> source, const RecordOptions& options,
@@ -357,12 +461,12 @@ double RecordedRig::progress() const {
   return size > 0 ? std::min(1.0, static_cast<double>(impl_->rows->position()) / size) : 0.0;
 }
 
-std::unique_ptr<RecordedRig> open_record(const std::string& path, const RecordOptions& options) {
-  auto source = open_readings(path, options);
+std::unique_ptr<RecordedRig> open_record(const std::string& path, const RecordOptions& given) {
+  const RecordOptions options = with_dialect_beside(path, given);
+  auto source = diggs_or_other(open_readings(path, options), options);
   const auto beside = std::filesystem::path(path).replace_extension(".toml");
   std::error_code unreadable;
-  if (beside == path || beside == options.dialect ||
-      !std::filesystem::is_regular_file(beside, unreadable))
+  if (beside == path || is_dialect(beside) || !std::filesystem::is_regular_file(beside, unreadable))
     return std::make_unique<RecordedRig>(std::move(source), options, "", "");
   return std::make_unique<RecordedRig>(std::move(source), options, beside.string(),
                                        read_text_file(beside.string()));
@@ -370,7 +474,8 @@ std::unique_ptr<RecordedRig> open_record(const std::string& path, const RecordOp
 
 std::unique_ptr<RecordedRig> open_record(std::unique_ptr<ByteSource> source,
                                          const RecordOptions& options) {
-  return std::make_unique<RecordedRig>(sheet_or_text(std::move(source), options), options, "", "");
+  auto readings = diggs_or_other(sheet_or_text(std::move(source), options), options);
+  return std::make_unique<RecordedRig>(std::move(readings), options, "", "");
 }
 
 }  // namespace triax::lab

@@ -1,21 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The back end that replays a record file: our CSV, or a foreign one by its dialect.
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "lab/base/byte_source.hpp"
+#include "lab/records/stated/set_value.hpp"
+#include "lab/records/tables/table_tests.hpp"
 #include "lab/rig/back_end.hpp"
 
 namespace triax::lab {
 
+struct DiggsDocument;
+struct TestsInFile;
+
 struct RecordOptions {
-  std::string dialect;  ///< name of a shipped one or path of a .toml file; empty: recognise it
-  std::string sheet;    ///< of a workbook; empty: the dialect's, else the first that is recognised
-  /// KEY=VALUE of --set, stronger than what the file says ("specimen.height_mm", "140").
-  std::vector<std::pair<std::string, std::string>> sets;
+  std::string dialect;       ///< name of a shipped one or path of a .toml file; empty: recognise it
+  std::string dialect_text;  ///< the TOML of a dialect, in place of `dialect`
+  std::string dialect_folder;  ///< of a lab::DialectMemory, used without a dialect; empty: none
+  std::optional<std::string> encoding;  ///< of a text; empty: the dialect's, else it is found
+  std::string sheet;  ///< of a workbook; empty: the dialect's, else the first that is recognised
+  /// Values of a job file (lab/records/job_file.hpp), stronger than the file.
+  std::vector<SetValue> job{};
+  /// KEY=VALUE of --set, stronger than both ("specimen.height_mm", "140").
+  std::vector<std::pair<std::string, std::string>> sets{};
+  bool is_to_propose = false;  ///< a table of a workbook need not be understood
+  std::size_t test = 0;        ///< of a file with several (tests_in()), from 1; 0: the only one
+  std::shared_ptr<const TestsInFile> tests{};  ///< of tests_in(); empty: the file is searched
+  bool names_dialect() const { return !dialect.empty() || !dialect_text.empty(); }
 };
 
 /// Streams a record in constant memory. Readings come with a strictly increasing test time and with
@@ -39,9 +55,24 @@ class RecordedRig : public BackEnd {
   std::unique_ptr<Impl> impl_;
 };
 
+struct TestsInFile {
+  std::vector<std::string> names;
+  std::shared_ptr<const DiggsDocument> document;  ///< of a DIGGS file
+  std::vector<TableTest> tables;                  ///< of any other file
+};
+/// The tests of a DIGGS file, or of a table with several ("cells 1 to 3, 'Specimen 1'", "lines 6 to
+/// 41"); no names for a table with one, and for a file that open_record() cannot read. `options`
+/// gives dialect, encoding and worksheet. Throws BadInput if a DIGGS file cannot be read or holds
+/// no triaxial test, and SeveralTests for more tests than a file can have.
+TestsInFile tests_in(const std::string& path, const RecordOptions& options = {},
+                     Extent extent = Extent::sample);
+/// The same of a file that is not on the disk; `open` opens it from its first byte.
+TestsInFile tests_in(const std::function<std::unique_ptr<ByteSource>()>& open,
+                     const RecordOptions& options, Extent extent = Extent::sample);
+
 /// Opens a record file, with x.toml beside x.csv. Throws BadInput for everything that can be seen
 /// in the head of the file and the first row; the rest is thrown by next().
-std::unique_ptr<RecordedRig> open_record(const std::string& path, const RecordOptions& options);
+std::unique_ptr<RecordedRig> open_record(const std::string& path, const RecordOptions& given);
 /// The same from bytes that are already there (tests, fuzzers).
 std::unique_ptr<RecordedRig> open_record(std::unique_ptr<ByteSource> source,
                                          const RecordOptions& options);

@@ -15,6 +15,8 @@
 #include "lab/health/gaps.hpp"
 #include "lab/health/judged_states.hpp"
 #include "lab/measured/instant.hpp"
+#include "lab/measured/path_sampler.hpp"
+#include "lab/measured/undrained_strength.hpp"
 #include "lab/reduction/cross_checks.hpp"
 #include "lab/warning/alarm.hpp"
 #include "lab/warning/warning_words.hpp"
@@ -122,6 +124,7 @@ class SessionRun {
         fall_watch_(back_end.header()),
         states_(back_end.header()),
         cross_checks_(back_end.header()),
+        total_stress_(back_end.header().is_total_stress()),
         pace_(options) {}
 
   TestSummary run() {
@@ -166,6 +169,7 @@ class SessionRun {
   void tell_progress();
   void abort(const Reading& reading);
   void keep_run_away(Collapse& collapse);
+  void summarise_total_stress();
   void summarise();
 
   BackEnd& back_end_;
@@ -184,6 +188,8 @@ class SessionRun {
   std::optional<double> axial_strain_;  ///< the latest that is known
   JudgedStates states_;
   CrossChecks cross_checks_;
+  const bool total_stress_;
+  UndrainedStrengthFinder undrained_strength_;  ///< of a test in total stresses
   Collapse until_mark_;
   TestSummary summary_;
   Pace pace_;
@@ -219,13 +225,15 @@ void SessionRun::take(const Reading& reading) {
   last_reading_ = Moment{reading.number, {}};
   if (back_end_.header().has_time) last_reading_->time_s = reading.time_s;
   if (stage_ != reading.stage) tell_of(stage_event(back_end_.header(), reading));
+  if (stage_ != reading.stage && reading.line > 0)
+    summary_.ending.stage_lines.emplace_back(reading.number, reading.line);
   stage_ = reading.stage;
   tell_of_the_rig();
   const State state = reduction_.reduce(reading);
   tell(listeners_, &SessionListener::scanned, reading, state);
   states_.add(reading, state);
   tell_of_sensors();
-  if (states_.is_possible(state)) {
+  if (!total_stress_ && states_.is_possible(state)) {
     alarm_.watch(state);
     watch_fall(state);
   }
@@ -313,6 +321,11 @@ void SessionRun::pass_on() {
   while (const auto* judged = states_.next()) {
     cross_checks_.add(believed(*judged), judged->state);
     if (judged->mark) until_mark_ = monitor_.so_far();
+    if (total_stress_) {
+      const bool in_shear = is_watched(back_end_.header().stage(judged->state.stage));
+      if (in_shear && (judged->live || judged->axis_live)) undrained_strength_.add(judged->state);
+      continue;
+    }
     tell_of_impossible(*judged);
     if (judged->axis_live) monitor_.watch_axis(axis_of(*judged));
     if (!judged->live) continue;
@@ -350,6 +363,18 @@ void SessionRun::keep_run_away(Collapse& collapse) {
   collapse = std::move(axis);
 }
 
+/// In total stresses there is a strength, and nothing is known of a collapse.
+void SessionRun::summarise_total_stress() {
+  const RecordHeader& header = back_end_.header();
+  summary_.undrained_strength = undrained_strength_.result(header.has_time);
+  if (const auto& peak = undrained_strength_.peak())
+    summary_.peak = instant_of(*peak, header.has_time);
+  summary_.collapse.withhold(
+      fmt::format("{} is a test in total stresses: its result is c_u, and collapse is a matter of "
+                  "effective stresses",
+                  header.programme));
+}
+
 void SessionRun::summarise() {
   const std::vector<Warning>& of_record = back_end_.header().warnings;
   Collapse& collapse = summary_.collapse;
@@ -372,6 +397,7 @@ void SessionRun::summarise() {
     if (options_.without_guard) summary_.guard->without = options_.without_guard();
   }
   summary_.peak = monitor_.peak();
+  if (total_stress_) summarise_total_stress();
   summary_.cyclic = monitor_.cyclic();
   summary_.consolidation = reduction_.consolidation();
   summary_.truth = back_end_.truth();
@@ -382,6 +408,9 @@ void SessionRun::summarise() {
   std::ranges::move(back_end_.checks(), std::back_inserter(crossed));
   summary_.checks.insert(summary_.checks.end(), crossed.begin(), crossed.end());
   take_back(states_, summary_);
+  summary_.ending.warnings = static_cast<std::int64_t>(of_record.size() + aborted_.size());
+  summary_.ending.cut_short = back_end_.header().cut_short;
+  summary_.ending.back_volume_joined = back_end_.header().back_volume_joined;
   for (const auto& warnings :
        {of_record, aborted_, reduction_.warnings(), warnings_of(crossed), states_.warnings()})
     summary_.warnings.insert(summary_.warnings.end(), warnings.begin(), warnings.end());

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Records that lie in a workbook: which sheet holds the readings, and which cells more.
+// A record as UTF-8 text, from whatever file it is in: a text in its encoding, or a workbook, where
+// it is one worksheet with some more cells.
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "lab/base/byte_source.hpp"
@@ -11,13 +14,28 @@
 
 namespace triax::lab {
 
-/// The source itself where it is text. Of a workbook the sheet of options.sheet, else of the
-/// dialect (table.sheet), else the first whose headings are recognised. Throws BadInput where no
-/// sheet is.
+/// The dialect that the user named, if any. Throws BadInput as find_dialect() does.
+std::optional<Dialect> named_dialect(const RecordOptions& options);
+/// That dialect, else the one remembered for the headings of the table, with a finding.
+std::optional<Dialect> dialect_for(ByteSource& table, const RecordOptions& options,
+                                   Findings& findings);
+
+/// True for a file of TOML with a table [columns].
+bool is_dialect(const std::filesystem::path& file);
+/// The options with the dialect beside the record (RECORD.toml, is_dialect()), if none is named.
+RecordOptions with_dialect_beside(const std::string& path, const RecordOptions& options);
+
+/// A text as UTF-8. Its encoding is that of the options, else of the dialect (table.encoding), else
+/// it is found. A workbook gives the worksheet that the options name, else the dialect, else the
+/// first with headings that are recognised. Throws BadInput for a file that is no table
+/// (find_file_kind), an unknown encoding, and if no worksheet fits.
 std::unique_ptr<ByteSource> sheet_or_text(std::unique_ptr<ByteSource> source,
                                           const RecordOptions& options);
 /// The same of a file, whose archive is not held in memory.
 std::unique_ptr<ByteSource> open_readings(const std::string& path, const RecordOptions& options);
+
+/// A finding with the encoding of a text that is not UTF-8.
+void note_encoding(const ByteSource& source, Findings& findings);
 
 /// What the dialect's keys say by cells ("Tabelle!B5") of a workbook; nothing for text. Other
 /// sheets with a table that is recognised are named in a finding. A value that is not valid for its

@@ -27,9 +27,10 @@ void Alarm::watch(const State& state) {
   const bool is_new = levels_.add(state);
   if (is_new) limit_.add(static_cast<double>(state.reading), state.q, state.p_eff);
   const auto eta = levels_.eta_forecast();
-  const auto inside =
-      eta ? limit_.inside(*eta, static_cast<double>(state.reading)) : std::optional<bool>();
-  const bool changed = levels_.look(inside, eta ? limit_.below(*eta) : 1);
+  const double q = eta ? *eta * state.p_eff : 0;  // at the p' of now
+  const auto inside = eta ? limit_.inside(q, state.p_eff, static_cast<double>(state.reading))
+                          : std::optional<bool>();
+  const bool changed = levels_.look(inside, eta ? limit_.below(q, state.p_eff) : 1);
   if (changed) say(state);
   if (!eta || !(is_new || changed)) return;
   if (is_heard(listeners_, &AlarmListener::foreseen))

@@ -70,7 +70,7 @@ std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSu
     }
   } else {
     if (!c.nearest || c.judged_until) return std::nullopt;
-    test.least_work = c.nearest->normalised;
+    test.min_work = c.nearest->normalised;
     test.in_extension = summary.peak && summary.peak->eta().value_or(0) < 0;
   }
   return test;
@@ -112,7 +112,7 @@ std::optional<double> EarlierTests::carried_on(DrivenPath::Control control,
   for (const EarlierTest& t : tests_) {
     if (t.control != control || t.in_extension != in_extension) continue;
     if (t.onset) return std::nullopt;
-    least = std::min(least.value_or(t.least_work), t.least_work);
+    least = std::min(least.value_or(t.min_work), t.min_work);
   }
   return least;
 }

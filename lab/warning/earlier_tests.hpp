@@ -27,7 +27,7 @@ struct EarlierTest {
   double give = 0;              ///< x = (1 − B)/B of the pore fluid; 0 where B is not known
   std::optional<double> onset;  ///< |η|, of one that lost sustainability inside the limit surface
   double onset_error = 0;       ///< its standard error
-  double least_work = 1;        ///< normalised, that one without an onset went through
+  double min_work = 1;          ///< normalised, that one without an onset went through
 };
 /// Of a test that was judged, or of a simulation, which knows whether and where it lost
 /// sustainability, whatever its verdict; empty for others, and where nothing drove it to an onset.

@@ -12,6 +12,7 @@ namespace {
 constexpr long long kMillisecondsOfDay = 86'400'000;
 constexpr double kLastDay = 2'958'466;  // 9999-12-31
 constexpr long long kFrom1904 = 1462;   // days between the two counts
+constexpr long long kLastHours = 61;    // days that a time of day can be hours of
 
 std::string clock_text(long long milliseconds) {
   const auto seconds = milliseconds / 1000, rest = milliseconds % 1000;
@@ -81,7 +82,8 @@ std::string date_text(double days, CellStyle style, bool from_1904) {
   const auto whole = all / kMillisecondsOfDay + (from_1904 ? kFrom1904 : 0);
   const auto rest = all % kMillisecondsOfDay;
   if (style == CellStyle::elapsed) return day_text(whole + 61) + ' ' + clock_text(rest);
-  if (style == CellStyle::clock && all < kMillisecondsOfDay) return clock_text(rest);
+  // Counts of hours are less than two months, and a date is in this century or the last.
+  if (style == CellStyle::clock && whole < kLastHours) return clock_text(all);
   return rest == 0 && style == CellStyle::date ? day_text(whole)
                                                : day_text(whole) + ' ' + clock_text(rest);
 }

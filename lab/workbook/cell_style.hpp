@@ -24,10 +24,10 @@ CellStyle style_of_builtin(int id);
 /// "5%" of 0.05: what is shown, since the heading's unit is that of what is shown.
 std::string percent_text(double value);
 
-/// A spreadsheet's day count as lab/records/cells/clock_time.hpp reads it: "2019-02-11 06:30:24.5",
-/// "06:30:24"; a date without a time of day is "2019-02-11". Time that passed becomes a date and
-/// time too, since only differences count. To the millisecond; the number itself, as text, where it
-/// is no day of 1900 to 9999.
+/// A spreadsheet's day count as lab/intake/cells/clock_format.hpp reads it: "2019-02-11
+/// 06:30:24.5", "06:30:24"; a date without a time of day is "2019-02-11". A time of day beyond 24 h
+/// is shown as hours ("26:15:00"). Time that passed becomes a date and time, since only differences
+/// count. To the millisecond; the number itself, as text, where it is no day of 1900 to 9999.
 std::string date_text(double days, CellStyle style, bool from_1904);
 
 }  // namespace triax::lab

@@ -47,7 +47,7 @@ SheetCells::SheetCells(const Workbook& book, const SheetEntry& sheet, CellListen
     : book_(book),
       sheet_(sheet.name),
       listener_(std::move(listener)),
-      stream_(book.name(), book.archive().part(sheet.part),
+      stream_(xml_of(book.archive(), sheet.part),
               {.start = [this](std::string_view e, XmlAttributes a) { start(e, a); },
                .end = [this](std::string_view e) { end(e); },
                .text =

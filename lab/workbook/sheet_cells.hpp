@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
+#include "lab/base/xml_stream.hpp"
 #include "lab/workbook/plain_row.hpp"
 #include "lab/workbook/workbook.hpp"
-#include "lab/workbook/xml_stream.hpp"
 
 namespace triax::lab {
 

@@ -10,8 +10,8 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
+#include "lab/base/xml_stream.hpp"
 #include "lab/records/dialect.hpp"
-#include "lab/workbook/xml_stream.hpp"
 
 namespace triax::lab {
 namespace {
@@ -23,7 +23,7 @@ constexpr std::size_t kMostSheets = 1000;
 constexpr std::size_t kMostStyles = 100'000;
 
 void read_xml(const ZipArchive& archive, const std::string& part, XmlListener listener) {
-  XmlStream stream(archive.name(), archive.part(part), std::move(listener));
+  XmlStream stream(xml_of(archive, part), std::move(listener));
   while (stream.advance()) {
   }
 }
@@ -180,10 +180,6 @@ bool looks_like_workbook(ByteSource& source) {
   const auto count = source.read(begin);
   source.rewind();
   const std::string_view bytes(begin.data(), count);
-  if (bytes.starts_with("\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"))
-    throw BadInput(
-        source.name(), 0,
-        "an .xls file or an encrypted workbook: save it as .xlsx without a password, or as CSV");
   return bytes.starts_with("PK\3\4") || bytes.starts_with("PK\5\6");
 }
 

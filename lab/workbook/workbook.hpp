@@ -52,8 +52,7 @@ class Workbook {
   bool from_1904_ = false;
 };
 
-/// Whether the file begins as a zip archive does, or as what older spreadsheets and encrypted
-/// workbooks are kept in (which is BadInput with what to do).
+/// True if the file begins as a zip archive does.
 bool looks_like_workbook(ByteSource& source);
 
 }  // namespace triax::lab

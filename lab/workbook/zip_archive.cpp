@@ -127,4 +127,12 @@ ZipPart ZipArchive::part(const std::string& part) const {
   return {std::move(open), status.comp_size};
 }
 
+XmlInput xml_of(const ZipArchive& archive, const std::string& part) {
+  const auto shared = std::make_shared<ZipPart>(archive.part(part));
+  return {.name = archive.name(),
+          .read = [shared](std::span<char> into) { return shared->read(into); },
+          .kind = "workbook",
+          .remedy = "open it in a spreadsheet and save it again"};
+}
+
 }  // namespace triax::lab

@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "lab/base/xml_stream.hpp"
+
 namespace triax::lab {
 
 /// One part, unpacked as it is read.
@@ -55,5 +57,8 @@ class ZipArchive {
   explicit ZipArchive(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
+
+/// A part of a workbook as XML. The archive has to outlive it.
+XmlInput xml_of(const ZipArchive& archive, const std::string& part);
 
 }  // namespace triax::lab

@@ -7,6 +7,7 @@
 #include "lab/base/bad_input.hpp"
 #include "lab/records/dialect.hpp"
 #include "lab/records/table_reader.hpp"
+#include "lab/records/tables/table_recognition.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace triax::lab;

@@ -3,12 +3,16 @@
 // what lies behind the first check is reached too.
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <sstream>
 
 #include "lab/ags/triaxial_results.hpp"
 #include "lab/base/toml_reader.hpp"
 #include "lab/grains/grain_files.hpp"
 #include "lab/grains/grain_packing.hpp"
 #include "lab/grains/grain_programme_reader.hpp"
+#include "lab/intake/cells/clock_format.hpp"
+#include "lab/intake/text/encoding.hpp"
+#include "lab/intake/text/structure.hpp"
 #include "lab/paths/path_reader.hpp"
 #include "lab/programmes/programme_reader.hpp"
 #include "lab/records/dialect.hpp"
@@ -41,6 +45,14 @@ TEST_CASE("the fuzzers' seeds are accepted") {
     CHECK_NOTHROW(parse_dialect(read_text_file(path), path));
   for (const auto& path : seeds("ags_fuzz"))
     CHECK_FALSE(read_triaxial_results(*open_file(path)).results.empty());
+  for (const auto& path : seeds("clock_fuzz")) {
+    INFO(path);
+    std::istringstream lines(read_text_file(path));
+    std::string first;
+    std::getline(lines, first);
+    const std::vector<std::string_view> cells{first};
+    CHECK(find_clock_format(cells, ClockHeading::date).format);
+  }
   for (const auto& path : seeds("modbus_fuzz")) {
     INFO(path);
     const auto frame = read_text_file(path).substr(1);
@@ -58,6 +70,8 @@ TEST_CASE("the fuzzers' seeds are accepted") {
     Reading reading;
     while (rig->next(reading)) CHECK(reading.number >= 0);
   }
+  for (const auto& path : seeds("structure_fuzz"))
+    CHECK(find_structure(read_sample(*open_utf8(open_file(path)))).structure);
   std::vector<std::string> dialects;
   for (const auto& path : seeds("record_fuzz")) {
     INFO(path);

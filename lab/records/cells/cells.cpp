@@ -9,6 +9,7 @@
 #include <string>
 
 #include "lab/base/text.hpp"
+#include "lab/intake/cells/fill_values.hpp"
 
 namespace triax::lab {
 namespace {
@@ -47,26 +48,56 @@ void split_at_blanks(std::string_view line, bool wide, std::vector<std::string_v
   }
 }
 
-bool is_missing(std::string_view cell) {
-  if (cell.empty() || cell == "-" || cell == "--") return true;
-  if (cell.front() == '#') return true;
-  const auto word = folded(cell);
-  return word == "nan" || word == "-nan" || word == "na" || word == "n/a" || word == "null" ||
-         word == "none";
-}
-
-CellKind parse_general(std::string_view text, double& value) {
+CellKind parse_number_text(std::string_view text, double& value) {
   const bool two_signs = text.starts_with("+-");
   if (text.starts_with('+') && !two_signs) text.remove_prefix(1);
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (stop != end || error == std::errc::invalid_argument) return CellKind::text;
-  if (error != std::errc{}) return CellKind::out_of_range;
-  if (std::isnan(value)) return CellKind::missing;
-  return std::isfinite(value) ? CellKind::number : CellKind::out_of_range;
+  // Words for infinite values and for none are not numbers.
+  if (error == std::errc{} && !std::isfinite(value)) return CellKind::text;
+  return error == std::errc{} ? CellKind::number : CellKind::out_of_range;
+}
+
+CellKind parse_with_mark(std::string_view cell, DecimalMark& mark, double& value) {
+  const auto at = cell.find_first_of(".,");
+  if (at == std::string_view::npos) return parse_number_text(cell, value);
+  const auto used = mark == DecimalMark::open ? static_cast<DecimalMark>(cell[at]) : mark;
+  if (cell[at] != static_cast<char>(used)) return CellKind::text;
+  constexpr std::size_t kMaxNumberSize = 64;
+  std::array<char, kMaxNumberSize> copy{};
+  if (used == DecimalMark::comma) {
+    if (cell.size() > kMaxNumberSize) return CellKind::text;
+    std::copy(cell.begin(), cell.end(), copy.begin());
+    copy[at] = '.';
+    cell = {copy.data(), cell.size()};
+  }
+  const auto kind = parse_number_text(cell, value);
+  if (kind != CellKind::text) mark = used;
+  return kind;
 }
 
 }  // namespace
+
+const char* separator_name(Separator separator) {
+  switch (separator) {
+    case Separator::automatic:
+      return "auto";
+    case Separator::comma:
+      return "comma";
+    case Separator::semicolon:
+      return "semicolon";
+    case Separator::tab:
+      return "tab";
+    case Separator::blanks:
+      return "blanks";
+    case Separator::wide_blanks:
+      return "wide blanks";
+    case Separator::pipe:
+      return "pipe";
+  }
+  return "";
+}
 
 char character(Separator separator) {
   switch (separator) {
@@ -76,6 +107,8 @@ char character(Separator separator) {
       return ';';
     case Separator::tab:
       return '\t';
+    case Separator::pipe:
+      return '|';
     default:
       return 0;
   }
@@ -100,18 +133,8 @@ void split_cells(std::string_view line, Separator separator, std::vector<std::st
 }
 
 CellKind parse_cell(std::string_view cell, DecimalMark& mark, double& value) {
-  if (is_missing(cell)) return CellKind::missing;
-  const auto at = cell.find_first_of(".,");
-  if (at == std::string_view::npos) return parse_general(cell, value);
-  if (mark == DecimalMark::open) mark = static_cast<DecimalMark>(cell[at]);
-  if (cell[at] != static_cast<char>(mark)) return CellKind::text;
-  if (mark == DecimalMark::point) return parse_general(cell, value);
-  constexpr std::size_t kLongestNumber = 64;
-  if (cell.size() > kLongestNumber) return CellKind::text;
-  std::array<char, kLongestNumber> copy{};
-  std::copy(cell.begin(), cell.end(), copy.begin());
-  copy[at] = '.';
-  return parse_general({copy.data(), cell.size()}, value);
+  const auto kind = cell.empty() ? CellKind::missing : parse_with_mark(cell, mark, value);
+  return kind == CellKind::text && is_fill_text(cell) ? CellKind::missing : kind;
 }
 
 bool parse_plain(const char*& at, const char* end, double& value) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/ags/ags_line.hpp"
+#include "lab/intake/text/file_kind.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -34,4 +35,11 @@ TEST_CASE("a quote that is not closed or not doubled is told with its cell") {
         "text after the closing quote of cell 2, '5'; write a quote inside a cell twice");
   CHECK(wrong_with("\"").find("cell 1 is not closed") != std::string::npos);
   CHECK(wrong_with(R"("a"")").find("cell 1 is not closed") != std::string::npos);
+}
+
+TEST_CASE("begins_ags3: groups of AGS 3, with and without quotes") {
+  for (const char* const line : {"\"**PROJ\"", "**PROJ", "**HOLE,x", " \"**GEOL\",\"\""})
+    CHECK(begins_ags3(line));
+  for (const char* const line : {"\"GROUP\",\"PROJ\"", "** logger **", "**", "**Note", ""})
+    CHECK_FALSE(begins_ags3(line));
 }

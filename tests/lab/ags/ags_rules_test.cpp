@@ -143,3 +143,19 @@ TEST_CASE("headings that 4.2 added are those of a file that says it is of 4.2") 
   CHECK(broken(kProj + newer + unit + type + loca) == "");
   CHECK(broken(kProj + kTran + unit + type + loca) == "18 9");
 }
+
+TEST_CASE("check_ags: a group that appears several times is reported once") {
+  const auto other = table("GEOL", "LOCA_ID", "", "ID", "BH1");
+  const auto check =
+      check_ags(*open_memory("x.ags", kGood + kLoca + kLoca + other + other + other));
+  int loca = 0;
+  for (const AgsFinding& finding : check.findings)
+    loca += finding.text.find("group 'LOCA' appears twice") != std::string::npos ? 1 : 0;
+  CHECK(loca == 1);
+  CHECK(check.unknown_groups == std::vector<std::string>{"GEOL"});
+}
+
+TEST_CASE("check_ags: AGS 3 is refused as such") {
+  CHECK_THROWS_WITH(check_ags(*open_memory("x.ags", "\xEF\xBB\xBF\"**PROJ\"\r\n")),
+                    Catch::Contains("x.ags:1: this is AGS 3"));
+}

@@ -55,6 +55,6 @@ TEST_CASE("no text: NUL bytes and endless lines are refused") {
   std::string workbook(100, '\0');
   workbook.replace(0, 4, "PK\3\4");
   CHECK_THROWS_WITH(lines_of(workbook), Catch::Contains("workbook") && Catch::Contains("CSV"));
-  CHECK_THROWS_WITH(lines_of("a\n" + std::string(3 * kLongestLine, '1')),
+  CHECK_THROWS_WITH(lines_of("a\n" + std::string(3 * kMaxLine_bytes, '1')),
                     Catch::Contains("m:2: the line is longer than 1 MB"));
 }

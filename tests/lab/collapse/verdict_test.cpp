@@ -31,7 +31,7 @@ LimitSurface sand() {
 }
 
 /// With the criteria as they would stand beside that evidence.
-Collapse verdict(const Evidence& e) {
+Collapse assess(const Evidence& e) {
   std::vector<Criterion> criteria;
   for (const CriterionRow& row : collapse_criteria())
     criteria.push_back(criterion_of(row, std::nullopt));
@@ -43,7 +43,7 @@ Collapse verdict(const Evidence& e) {
 
 CollapseKind kind(const Descent& d) {
   const LimitSurface limit = sand();
-  return verdict({.worst = d, .points = 50, .limit = limit}).kind;
+  return assess({.worst = d, .points = 50, .limit = limit}).kind;
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ TEST_CASE("kinds follow what was lost and what came back") {
 TEST_CASE("on the limit surface nothing is a diffuse collapse") {
   const LimitSurface limit = sand();
   const Collapse c =
-      verdict({.worst = descent(126e3, 100e3, 60e3, 66e3), .points = 50, .limit = limit});
+      assess({.worst = descent(126e3, 100e3, 60e3, 66e3), .points = 50, .limit = limit});
   CHECK(c.kind == CollapseKind::none);
   CHECK(c.inside_limit_surface == false);
   CHECK_FALSE(c.criteria[0].found());
@@ -71,24 +71,24 @@ TEST_CASE("a drained peak is a failure where nobody knows that it lies inside th
   const LimitSurface unknown({}), given = sand();
   Descent peak = descent(100e3, 120e3, 16e3, 84e3);
   peak.drained = true;
-  const Collapse c = verdict({.worst = peak, .points = 50, .limit = unknown});
+  const Collapse c = assess({.worst = peak, .points = 50, .limit = unknown});
   CHECK(c.judged);
   CHECK(c.kind == CollapseKind::none);
   CHECK(c.onset);
   CHECK(*c.strength_lost == Approx(0.16));
   CHECK_FALSE(c.inside_limit_surface);
   CHECK_THAT(c.criteria[0].evidence, Catch::Contains("drained failure"));
-  CHECK(verdict({.worst = peak, .points = 50, .limit = given}).kind == CollapseKind::partial);
+  CHECK(assess({.worst = peak, .points = 50, .limit = given}).kind == CollapseKind::partial);
   peak.drained = false;
-  CHECK(verdict({.worst = peak, .points = 50, .limit = unknown}).kind == CollapseKind::partial);
+  CHECK(assess({.worst = peak, .points = 50, .limit = unknown}).kind == CollapseKind::partial);
 
   // From a fiftieth on it is told, if second-order work was surely negative.
   Descent small = descent(100e3, 120e3, 4e3, 96e3);
   small.drained = true;
   small.evidence.normalised_error = 0.05;
-  CHECK(verdict({.worst = small, .points = 50, .limit = unknown}).onset);
+  CHECK(assess({.worst = small, .points = 50, .limit = unknown}).onset);
   small.evidence.normalised_error = 0.1;
-  CHECK_FALSE(verdict({.worst = small, .points = 50, .limit = unknown}).onset);
+  CHECK_FALSE(assess({.worst = small, .points = 50, .limit = unknown}).onset);
 }
 
 TEST_CASE("verdict: a larger ratio of the same test leaves the limit unknown") {
@@ -97,14 +97,36 @@ TEST_CASE("verdict: a larger ratio of the same test leaves the limit unknown") {
   Descent fall = descent(60e3, 100e3, 40e3, 20e3);
   for (const bool drained : {false, true}) {
     fall.drained = drained;
-    const Collapse c = verdict({.worst = fall, .points = 50, .limit = own});
+    const Collapse c = assess({.worst = fall, .points = 50, .limit = own});
     CHECK(c.kind == CollapseKind::flow);  // η of 0.6 where 1.2 was carried: no failure on a limit
     CHECK_FALSE(c.inside_limit_surface);
     CHECK_FALSE(c.limit_stress_ratio);
     CHECK_THAT(c.limit_source, Catch::Contains("unknown: no friction angle is given"));
   }
   const LimitSurface given = sand();
-  CHECK(verdict({.worst = fall, .points = 50, .limit = given}).limit_source == kGivenLimit);
+  CHECK(assess({.worst = fall, .points = 50, .limit = given}).limit_source == kGivenLimit);
+}
+
+TEST_CASE("Collapse: a loss at a ratio that needs cohesion is not assessed") {
+  const LimitSurface unknown({});
+  const Descent fall = descent(220e3, 100e3, 40e3, 180e3);
+  const Collapse c = assess({.worst = fall, .points = 50, .limit = unknown});
+  CHECK_FALSE(c.judged);
+  CHECK_FALSE(c.onset);
+  CHECK_FALSE(c.strength_lost);
+  CHECK(c.judged_until == 10);
+  CHECK_THAT(c.judged_until_reason, Catch::Contains("over-consolidated clay"));
+  CHECK_FALSE(c.criteria[0].detected);
+  SpecimenInfo clay;
+  clay.cohesion_pa = 30e3;
+  clay.limit_friction_angle_rad = triax::sim::radians(40);
+  const LimitSurface given(clay);  // 1.636 · 100 kPa + 58.5 kPa = 222 kPa
+  const Collapse failed = assess({.worst = fall, .points = 50, .limit = given});
+  CHECK(failed.judged);
+  CHECK(failed.kind == CollapseKind::none);
+  CHECK(failed.inside_limit_surface == false);
+  CHECK(*failed.limit_stress_ratio == Approx(1.636).margin(1e-3));
+  CHECK(*failed.limit_intercept_pa == Approx(58.5e3).margin(0.1e3));
 }
 
 TEST_CASE("verdict: a failure shows the limit, and takes it along when it is withheld") {
@@ -112,7 +134,7 @@ TEST_CASE("verdict: a failure shows the limit, and takes it along when it is wit
   for (int i = 1; i <= 100; ++i) walked.add(i, 1.3e3 * i, 1e3 * i);
   Descent peak = descent(130e3, 100e3, 20e3, 110e3);
   peak.onset.reading = 101;
-  Collapse c = verdict({.worst = peak, .points = 50, .limit = walked});
+  Collapse c = assess({.worst = peak, .points = 50, .limit = walked});
   CHECK(c.inside_limit_surface == false);
   CHECK(*c.limit_stress_ratio == Approx(1.3));
   c.withhold("the load cell is dead");
@@ -128,17 +150,17 @@ TEST_CASE("a burst on a limit that only the burst shows is a collapse") {
   own.add(last.reading, last.q, last.p_eff);
   const Finding burst{.instant = {.reading = 20, .q_pa = 60e3, .p_eff_pa = 90e3},
                       .evidence = "ran"};
-  const Collapse c = verdict({.loss_of_control = burst, .points = 50, .limit = own});
+  const Collapse c = assess({.loss_of_control = burst, .points = 50, .limit = own});
   CHECK(c.kind == CollapseKind::flow);
   CHECK_FALSE(c.inside_limit_surface);
 }
 
 TEST_CASE("none says how near it came") {
   const LimitSurface limit = sand();
-  const Collapse c = verdict({.points = 50,
-                              .first_state = 7,
-                              .nearest = Nearest{.reading = 30, .normalised = 0.1, .error = 0.02},
-                              .limit = limit});
+  const Collapse c = assess({.points = 50,
+                             .first_state = 7,
+                             .nearest = Nearest{.reading = 30, .normalised = 0.1, .error = 0.02},
+                             .limit = limit});
   CHECK(c.judged);
   CHECK(c.judged_from == 7);
   REQUIRE(c.nearest);
@@ -150,12 +172,12 @@ TEST_CASE("yielding at held q is a flow unless the specimen catches itself with 
   Descent held = descent(60e3, 105e3, 0, 60e3);
   held.axial_strain_last = held.onset.axial_strain + 0.02;
   CHECK(lasts_at_held_q(held));
-  CHECK(verdict({.at_held_q = held, .points = 50, .limit = limit}).kind == CollapseKind::flow);
+  CHECK(assess({.at_held_q = held, .points = 50, .limit = limit}).kind == CollapseKind::flow);
   held.came_back = true;
   CHECK_FALSE(lasts_at_held_q(held));
-  CHECK(verdict({.at_held_q = held, .points = 50, .limit = limit}).kind == CollapseKind::limited);
+  CHECK(assess({.at_held_q = held, .points = 50, .limit = limit}).kind == CollapseKind::limited);
   const Finding lost{.instant = {.reading = 20}, .evidence = "q fell"};
-  CHECK(verdict({.at_held_q = held, .loss_of_control = lost, .points = 50, .limit = limit}).kind ==
+  CHECK(assess({.at_held_q = held, .loss_of_control = lost, .points = 50, .limit = limit}).kind ==
         CollapseKind::flow);
 }
 
@@ -163,23 +185,23 @@ TEST_CASE("a burst alone is a collapse where no window could be filled") {
   const LimitSurface limit = sand();
   const Finding burst{.instant = {.reading = 20, .q_pa = 60e3, .p_eff_pa = 100e3},
                       .evidence = "ran"};
-  const Collapse c = verdict({.loss_of_control = burst, .points = 50, .limit = limit});
+  const Collapse c = assess({.loss_of_control = burst, .points = 50, .limit = limit});
   CHECK(c.kind == CollapseKind::flow);
   CHECK(c.onset->reading == 20);
   CHECK(c.inside_limit_surface == true);
-  CHECK(verdict({.points = 50, .limit = limit}).kind == CollapseKind::none);
+  CHECK(assess({.points = 50, .limit = limit}).kind == CollapseKind::none);
 }
 
 TEST_CASE("too little seen of shear is not judged, which is not the same as no collapse") {
   const LimitSurface limit = sand();
-  const Collapse c = verdict({.states = 5, .limit = limit});
+  const Collapse c = assess({.states = 5, .limit = limit});
   CHECK_FALSE(c.judged);
   CHECK(c.judged_until_reason == "too few readings in shear, 5 complete states of the 7 needed");
   REQUIRE(c.criteria.size() == 3);
   CHECK_FALSE(c.criteria[0].detected);
   CHECK(c.criteria[0].evidence.find(
             "too few readings in shear, 5 complete states of the 7 needed") != std::string::npos);
-  CHECK(verdict({.points = 1, .limit = limit}).judged);
+  CHECK(assess({.points = 1, .limit = limit}).judged);
 }
 
 TEST_CASE("at held q with the valve closed the pore pressure places the onset") {
@@ -187,13 +209,13 @@ TEST_CASE("at held q with the valve closed the pore pressure places the onset") 
   const Finding turn{.instant = {.reading = 4, .q_pa = 60e3, .p_eff_pa = 105e3}, .evidence = "u"};
   const Descent fall = descent(60e3, 100e3, 58e3, 2e3);
   CHECK(
-      verdict({.worst = fall, .control_peak = turn, .points = 50, .limit = limit}).onset->reading ==
+      assess({.worst = fall, .control_peak = turn, .points = 50, .limit = limit}).onset->reading ==
       10);
-  const Collapse c = verdict({.worst = fall,
-                              .control_peak = turn,
-                              .volume_by_pore_pressure = true,
-                              .points = 50,
-                              .limit = limit});
+  const Collapse c = assess({.worst = fall,
+                             .control_peak = turn,
+                             .volume_by_pore_pressure = true,
+                             .points = 50,
+                             .limit = limit});
   CHECK(c.onset->reading == 4);
   CHECK(c.kind == CollapseKind::flow);
 }
@@ -205,17 +227,17 @@ TEST_CASE("a fall is the onset, whatever the volume did before; alone it is a fl
   Descent held = descent(60e3, 105e3, 0, 60e3);
   held.axial_strain_last = held.onset.axial_strain + 0.02;
   const Finding turn{{.reading = 40, .q_pa = 60e3, .p_eff_pa = 110e3}, "turned"};
-  const Collapse c = verdict({.at_held_q = held,
-                              .loss_of_control = burst,
-                              .fall = fall,
-                              .control_peak = turn,
-                              .points = 50,
-                              .limit = limit});
+  const Collapse c = assess({.at_held_q = held,
+                             .loss_of_control = burst,
+                             .fall = fall,
+                             .control_peak = turn,
+                             .points = 50,
+                             .limit = limit});
   REQUIRE(c.onset);
   CHECK(c.onset->reading == 90);
   CHECK(c.criteria[2].reading == 40);
   const Collapse alone =
-      verdict({.loss_of_control = burst, .fall = fall, .points = 50, .limit = limit});
+      assess({.loss_of_control = burst, .fall = fall, .points = 50, .limit = limit});
   CHECK(alone.kind == CollapseKind::flow);
   CHECK(alone.onset->reading == 90);
 }
@@ -227,11 +249,11 @@ TEST_CASE(
   const Finding burst{.instant = {.reading = 40, .q_pa = 60e3, .p_eff_pa = 100e3},
                       .evidence = "strain"};
   const auto with = [&](bool gauge) {
-    return verdict({.loss_of_control = burst,
-                    .control_peak = turn,
-                    .volume_by_pore_pressure = gauge,
-                    .points = 50,
-                    .limit = limit});
+    return assess({.loss_of_control = burst,
+                   .control_peak = turn,
+                   .volume_by_pore_pressure = gauge,
+                   .points = 50,
+                   .limit = limit});
   };
   CHECK(with(true).onset->reading == 4);
   CHECK(with(true).kind == CollapseKind::flow);
@@ -250,31 +272,31 @@ TEST_CASE("a limit of the test's own excuses no undrained loss of most of the st
   }
   auto fall = descent(100e3, 53.3e3, 90e3, 11e3);
   fall.onset.reading = 101;
-  CHECK(walked.inside(fall.onset.eta(), 101) == false);
-  CHECK(verdict({.worst = fall, .points = 50, .limit = walked}).kind == CollapseKind::flow);
+  CHECK(walked.inside(fall.onset.q, fall.onset.p_eff, 101) == false);
+  CHECK(assess({.worst = fall, .points = 50, .limit = walked}).kind == CollapseKind::flow);
   fall.drained = true;
-  CHECK(verdict({.worst = fall, .points = 50, .limit = walked}).kind == CollapseKind::none);
+  CHECK(assess({.worst = fall, .points = 50, .limit = walked}).kind == CollapseKind::none);
 }
 
 TEST_CASE("a record that ends while q falls is not judged to its end; a dip that came back is") {
   const LimitSurface limit = sand();
   Descent fall = descent(100e3, 150e3, 6e3, 94e3);
   fall.evidence.normalised_error = 0.02;
-  const Collapse cut = verdict({.worst = fall, .points = 50, .limit = limit});
+  const Collapse cut = assess({.worst = fall, .points = 50, .limit = limit});
   CHECK_FALSE(cut.judged);
   CHECK(cut.judged_until == 10);
   CHECK_THAT(cut.judged_until_reason, Catch::Contains("ends while q falls: 6 %"));
 
   Descent turned = fall;
   turned.q_regained = 95e3;  // it has turned
-  CHECK(verdict({.worst = turned, .points = 50, .limit = limit}).judged);
+  CHECK(assess({.worst = turned, .points = 50, .limit = limit}).judged);
   Descent over = fall;
   over.ended = true;
-  CHECK(verdict({.worst = over, .points = 50, .limit = limit}).judged);
+  CHECK(assess({.worst = over, .points = 50, .limit = limit}).judged);
   Descent drained = fall;
   drained.drained = true;
-  CHECK(verdict({.worst = drained, .points = 50, .limit = limit}).judged);
-  CHECK(verdict({.worst = descent(100e3, 150e3, 1e3, 99e3), .points = 50, .limit = limit}).judged);
+  CHECK(assess({.worst = drained, .points = 50, .limit = limit}).judged);
+  CHECK(assess({.worst = descent(100e3, 150e3, 1e3, 99e3), .points = 50, .limit = limit}).judged);
 }
 
 TEST_CASE("a verdict is known when the first of what it rests on was") {
@@ -286,16 +308,16 @@ TEST_CASE("a verdict is known when the first of what it rests on was") {
                   .evidence = "burst",
                   .noticed = Moment{40, 4.0}};
   const Collapse both =
-      verdict({.worst = lost, .loss_of_control = control, .points = 50, .limit = limit});
+      assess({.worst = lost, .loss_of_control = control, .points = 50, .limit = limit});
   REQUIRE(both.noticed);
   CHECK(both.noticed->reading == 40);
   CHECK(both.criteria[1].noticed->reading == 40);
   REQUIRE(both.onset->interval);
   CHECK(both.onset->interval->q_pa.holds(100e3));
-  const Collapse one = verdict({.worst = lost, .points = 50, .limit = limit});
+  const Collapse one = assess({.worst = lost, .points = 50, .limit = limit});
   CHECK(one.noticed->reading == 70);
   lost.noticed.reset();
-  CHECK_FALSE(verdict({.worst = lost, .points = 50, .limit = limit}).noticed);
+  CHECK_FALSE(assess({.worst = lost, .points = 50, .limit = limit}).noticed);
   CHECK_FALSE(
-      verdict({.worst = descent(100e3, 150e3, 1e3, 99e3), .points = 50, .limit = limit}).noticed);
+      assess({.worst = descent(100e3, 150e3, 1e3, 99e3), .points = 50, .limit = limit}).noticed);
 }

@@ -48,7 +48,7 @@ TEST_CASE("Plausibility: states beyond every limit surface are impossible", "[he
     return passed;
   };
   CHECK(possible(200, 100));
-  CHECK(possible(-130, 100));
+  CHECK(possible(-120, 100));
   CHECK_FALSE(possible(320, 100));
   CHECK_FALSE(possible(-149, 100));
   CHECK_FALSE(possible(0, -6));
@@ -94,6 +94,37 @@ TEST_CASE("a load cell that begins below zero and steep angles are told") {
   REQUIRE(warnings.size() == 2);
   CHECK_THAT(warnings[0].text, Contains("-19.6 kPa"));
   CHECK_THAT(warnings[1].text, Contains("friction angle"));
+}
+
+TEST_CASE("Plausibility: a steep stress ratio is explained by cohesion", "[health]") {
+  const auto warnings_of = [](double q_kPa, double cohesion_kPa) {
+    SpecimenInfo specimen;
+    if (cohesion_kPa > 0) specimen.cohesion_pa = cohesion_kPa * 1e3;
+    Plausibility p(specimen);
+    REQUIRE(p.add(at(0, 0, 100, 0)));
+    p.add(at(1, q_kPa, 100, 0.01));
+    std::string text;
+    for (const auto& warning : p.warnings()) text += warning.text;
+    return text;
+  };
+  CHECK(warnings_of(200, 0).empty());
+  CHECK_THAT(warnings_of(220, 0),
+             Contains("over-consolidated clay") && Contains("cohesion_kPa") && !Contains("unit"));
+  CHECK_THAT(warnings_of(290, 0), Contains("more than friction alone") && !Contains("unit"));
+  CHECK_THAT(warnings_of(320, 0), Contains("below zero"));
+  CHECK(warnings_of(220, 30).empty());
+  CHECK_THAT(warnings_of(290, 30), Contains("larger than stated"));
+  CHECK_THAT(warnings_of(320, 30), Contains("below zero"));
+}
+
+TEST_CASE("Plausibility: stresses of rock, where its cohesion is given", "[health]") {
+  SpecimenInfo rock;
+  rock.cohesion_pa = 30e6;
+  for (const auto& specimen : {SpecimenInfo{}, rock}) {
+    Plausibility p(specimen);
+    REQUIRE(p.add(at(0, 0, 20e3, 0)));
+    CHECK(p.add(at(1, 200e3, 90e3, 0.01)) == specimen.cohesion_pa.has_value());
+  }
 }
 
 TEST_CASE("a specimen that no cell holds: a height or a diameter in another unit") {

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "lab/records/table_reader.hpp"
+#include "lab/records/tables/table_recognition.hpp"
 
 using namespace triax::lab;
 

@@ -69,3 +69,22 @@ TEST_CASE("names match without case, a trailing star matches any rest") {
   CHECK(may_match(" Axial", "a"));
   CHECK_FALSE(may_match("Axial", "q"));
 }
+
+TEST_CASE("Dialect: a number in [specimen] or [test] is the value, a text a label") {
+  const auto dialect = parse_dialect(
+      "name = \"d\"\n[columns]\naxial_strain = \"e\"\n[specimen]\nheight_mm = 76\n"
+      "diameter_mm = \"D\"\n[test]\ncell_pressure_kPa = 300.5\n",
+      "d.toml");
+  REQUIRE(dialect.keys.size() == 3);
+  for (const DialectKey& key : dialect.keys) {
+    INFO(key.key);
+    CHECK(key.value == (key.key == "specimen.height_mm"     ? "76"
+                        : key.key == "specimen.diameter_mm" ? ""
+                                                            : "300.5"));
+    CHECK(key.labels.empty() == (key.key != "specimen.diameter_mm"));
+  }
+  CHECK_THROWS_WITH(
+      parse_dialect("name = \"d\"\n[columns]\naxial_strain = \"e\"\n[specimen]\nheight_mm = -7\n",
+                    "d.toml"),
+      Catch::StartsWith("d.toml:5: "));
+}

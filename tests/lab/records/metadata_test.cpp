@@ -77,6 +77,7 @@ TEST_CASE("metadata written as TOML read back as the same values") {
   header.origin = Origin::simulated;
   header.programme = "CSU";
   header.seed = kMaxSeed;
+  header.cell_pressure_pa = triax::sim::to_si(212.5, *triax::sim::find_unit("kPa"));
   header.specimen.material = "Hostun S28";
   double factor = 1.1234567;
   for (const SpecimenKey& row : specimen_keys())
@@ -94,6 +95,7 @@ TEST_CASE("metadata written as TOML read back as the same values") {
   CHECK(found.origin == Origin::simulated);
   CHECK(found.programme == "CSU");
   CHECK(found.seed == header.seed);
+  CHECK(found.cell_pressure_pa == header.cell_pressure_pa);
   for (const SpecimenKey& row : specimen_keys())
     CHECK(found.specimen.*row.member == header.specimen.*row.member);
   REQUIRE(found.stages.size() == 4);

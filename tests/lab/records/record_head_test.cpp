@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "lab/records/tables/table_recognition.hpp"
+
 using namespace triax::lab;
 
 namespace {
@@ -62,4 +64,19 @@ TEST_CASE("the drainage of a single stage follows programme, then columns") {
   CHECK(drainage("eps,q,p,u", "CID") == Drainage::open);
   CHECK(drainage("eps,q,p,x", "") == Drainage::unknown);
   CHECK(drainage("eps,q,p,x", "CIU") == Drainage::closed);
+  CHECK(drainage("eps,q,p,u", "CADC") == Drainage::open);
+  CHECK(drainage("eps,q,p,x", "CAUE") == Drainage::closed);
+  CHECK(drainage("eps,q,p,x", "sand") == Drainage::unknown);  // no type ends so by chance
+}
+
+TEST_CASE("describe_record: a held cell pressure from a label or from the dialect") {
+  const std::string columns =
+      "name = \"d\"\n[columns]\naxial_displacement = \"s\"\naxial_force = \"F\"\n";
+  const std::string rows = "s (mm);F (N)\n0;1\n";
+  const auto labelled = parse_dialect(columns + "[test]\ncell_pressure_kPa = \"Cell\"\n", "d.toml");
+  CHECK(*Head("Cell (bar);2,5\n" + rows, labelled).header.cell_pressure_pa == Approx(250e3));
+  const auto constant = parse_dialect(columns + "[defaults]\ncell_pressure_kPa = 300\n", "d.toml");
+  CHECK(*Head(rows, constant).header.cell_pressure_pa == Approx(300e3));
+  CHECK_THROWS_WITH(parse_dialect(columns + "[defaults]\ncell_pressure_kPa = -1\n", "d.toml"),
+                    Catch::Contains("d.toml:6") && Catch::Contains("out of range"));
 }

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "lab/records/tables/table_recognition.hpp"
+
 using namespace triax::lab;
 using enum Quantity;
 

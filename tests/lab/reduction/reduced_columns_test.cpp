@@ -51,6 +51,21 @@ RecordHeader header_of(std::vector<Quantity> columns, Drainage drainage = Draina
 
 }  // namespace
 
+TEST_CASE("ReducedColumns: shear begins behind the stages before it") {
+  RecordHeader header = header_of({axial_strain, deviator_stress, mean_effective_stress});
+  header.stages.insert(header.stages.begin(), {.number = 0, .role = StageRole::consolidation});
+  ReducedColumns columns(header);
+  for (const auto& [stage, p_eff] : {std::pair(0, 50e3), {0, 180e3}, {1, 200e3}, {1, 210e3}}) {
+    Reading reading;
+    reading.stage = stage;
+    reading[axial_strain] = 0;
+    reading[deviator_stress] = 0;
+    reading[mean_effective_stress] = p_eff;
+    columns.reduce(reading);
+  }
+  CHECK(columns.consolidation().p_eff_pa == 200e3);
+}
+
 TEST_CASE("each pair of stresses gives the whole state of stress") {
   const std::vector<Quantity> combination =
       GENERATE(values<std::vector<Quantity>>({{effective_axial_stress, effective_radial_stress},

@@ -17,8 +17,8 @@ std::string record() {
   for (int i = 0; i <= 200; ++i) {
     const double strain = 0.02 * i, x = strain / 0.6;
     const double q = 100 * x * std::exp(1 - x) * (x < 1 ? 1 : 0.8) + (x < 1 ? 0 : 20);
-    text +=
-        fmt::format("{:.4f} {:.5f} {:.3f} {:.3f} 300\n", strain, 0.05 * strain / 4, 170 + q / 3, q);
+    text += fmt::format("{:.4f} {:.5f} {:.3f} {:.3f} 300\n", strain, 0.05 * strain / 4,
+                        170 + 0.25 * q, q);
   }
   return text;
 }

@@ -42,6 +42,21 @@ TEST_CASE("a bare record is one stage of shear with its readings numbered from 0
   CHECK_FALSE(rig->next(reading));
 }
 
+TEST_CASE("RecordedRig: without dimensions the stresses of the file are used") {
+  const std::string rows =
+      "Axial displacement (mm),Axial force (kN),Cell pressure (kPa),Pore pressure (kPa),"
+      "Axial strain (mm/mm),Deviator stress "
+      "(kPa)\n0,0,300,200,0,0\n0.5,0.1,300,210,0.005,40\n1,0.15,300,220,0.01,60\n";
+  const auto reduced = open_text(rows);
+  CHECK_FALSE(reduced->header().is_raw());
+  CHECK(std::ranges::any_of(reduced->header().warnings, [](const Warning& one) {
+    return one.text.find("does not state height and diameter") != std::string::npos;
+  }));
+  RecordOptions options;
+  options.sets = {{"specimen.height_mm", "100"}, {"specimen.diameter_mm", "50"}};
+  CHECK(open_text(rows, options)->header().is_raw());
+}
+
 TEST_CASE("the digest is of all bytes of the record and of nothing else") {
   const auto digest = [](const std::string& text, const RecordOptions& options = {}) {
     return open_text(text, options)->header().digest;
@@ -238,12 +253,21 @@ TEST_CASE("RecordedRig: a second test in the file is an error with its reading")
                     Catch::StartsWith("m.dat:33: a second test begins with reading 30: "));
 }
 
-TEST_CASE("RecordedRig: rows in reverse order are an error") {
+TEST_CASE("RecordedRig: rows in reverse order are read from the last one") {
   auto rows = table_rows(30);
+  const auto straight = all_readings(*open_table(rows));
   std::ranges::reverse(rows);
   const auto rig = open_table(rows);
-  CHECK_THROWS_WITH(all_readings(*rig),
-                    Catch::StartsWith("m.dat:3: the rows are in reverse order"));
+  const auto readings = all_readings(*rig);
+  REQUIRE(readings.size() == straight.size());
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    CHECK(readings[i].si[index(Quantity::axial_strain)] ==
+          straight[i].si[index(Quantity::axial_strain)]);
+    CHECK(readings[i].line == straight[readings.size() - 1 - i].line);
+  }
+  CHECK(std::ranges::any_of(rig->header().warnings, [](const Warning& warning) {
+    return warning.text.starts_with("the rows are in reverse order");
+  }));
 }
 
 TEST_CASE("RecordedRig: rows that are missing are a warning with the line") {

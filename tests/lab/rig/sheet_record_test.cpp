@@ -126,3 +126,60 @@ TEST_CASE("a workbook of others reads as its sheet saved as CSV", "[of-others]")
       CHECK(((std::isnan(a[i].si[q]) && std::isnan(b[i].si[q])) || a[i].si[q] == b[i].si[q]));
   }
 }
+
+TEST_CASE("Record of a text: the encoding is found, reported and can be given") {
+  const std::string dialect =
+      "name = \"d\"\n[table]\nencoding = \"cp1251\"\n[columns]\n"
+      "axial_strain = { names = \"Деформация\", unit = \"%\" }\n"
+      "deviator_stress = { names = \"q\", unit = \"kPa\" }\n"
+      "mean_effective_stress = { names = \"p\", unit = \"kPa\" }\n";
+  const auto path = std::filesystem::temp_directory_path() / "triax_encoding.toml";
+  std::ofstream(path) << dialect;
+  const std::string rows = "\xC4\xE5\xF4\xEE\xF0\xEC\xE0\xF6\xE8\xFF;q;p\n0,0;0;100\n0,1;5;101,5\n";
+  const auto rig = open_record(open_memory("m.csv", rows), {.dialect = path.string()});
+  CHECK(readings(*rig).size() == 2);
+  CHECK(std::ranges::any_of(rig->header().warnings, [](const Warning& warning) {
+    return warning.text == "not UTF-8: read as Windows-1251";
+  }));
+  CHECK(rig->header().digest == sha256(*open_memory("m", rows)));
+  CHECK_THROWS_WITH(open_record(open_memory("m.csv", rows),
+                                {.dialect = path.string(), .encoding = "Windows-1252"}),
+                    Catch::Contains("channels are missing"));
+  CHECK_THROWS_WITH(open_record(open_memory("m.csv", rows), {.dialect = {}, .encoding = "cp99"}),
+                    Catch::Contains("m.csv: encoding 'cp99' is not valid"));
+  std::filesystem::remove(path);
+}
+
+TEST_CASE("Record of a text: UTF-16 and lines that end with CR are read") {
+  const std::string text =
+      "axial_strain,deviator_stress_kPa,mean_effective_stress_kPa\r0,0,100\r0.1,5,101.5\r";
+  std::string wide = "\xFF\xFE";
+  for (const char c : text) wide.append({c, '\0'});
+  for (const std::string& bytes : {text, wide}) {
+    const auto rig = open_record(open_memory("m.csv", bytes), {});
+    const auto all = readings(*rig);
+    REQUIRE(all.size() == 2);
+    CHECK(all[1].si[index(Quantity::mean_effective_stress)] == 101500);
+    const auto is_reported = std::ranges::any_of(rig->header().warnings, [](const Warning& one) {
+      return one.text == "not UTF-8: read as UTF-16LE";
+    });
+    CHECK(is_reported == (bytes == wide));
+  }
+}
+
+TEST_CASE("Record: a file that is no table is named, a table by its separator") {
+  CHECK_THROWS_WITH(open_record(open_memory("a.csv", "%PDF-1.7\n"), {}),
+                    Catch::Contains("a.csv: this is a PDF document"));
+  CHECK_THROWS_WITH(open_record(open_memory("a.xls", "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"), {}),
+                    Catch::Contains("save it as .xlsx"));
+  CHECK_THROWS_WITH(
+      open_record(open_memory("logger.txt",
+                              "INDEX, TIME STAMP, TIME (ms), DEV 1 INPUT 1,\r\n"
+                              "0,3/7/2026 10:02:15,500,0.02,\r\n"
+                              "1,3/7/2026 10:02:15,1000,0.42,\r\n"),
+                  {}),
+      Catch::Contains("logger.txt:1: no dialect fits this file") &&
+          Catch::Contains(
+              "'INDEX', 'TIME STAMP', 'TIME (ms)', 'DEV 1 INPUT 1' (4 columns separated "
+              "by comma, rows from line 2)"));
+}

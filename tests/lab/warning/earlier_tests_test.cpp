@@ -17,7 +17,7 @@ EarlierTest lost(double eta, double give = 0, Control control = Control::strain_
 }
 
 EarlierTest sound(double work) {
-  return {.name = "sound", .control = Control::strain_path, .least_work = work};
+  return {.name = "sound", .control = Control::strain_path, .min_work = work};
 }
 
 TestSummary collapse_at(double eta, std::optional<double> b_value = {}) {
@@ -102,7 +102,7 @@ TEST_CASE("a simulation that carried on is none that collapsed, whatever its ver
   const auto said = earlier_test(header, summary, {});
   REQUIRE(said);
   CHECK_FALSE(said->onset);
-  CHECK(said->least_work == 0.04);
+  CHECK(said->min_work == 0.04);
 }
 
 TEST_CASE("a test whose pore fluid gave way as this one's does counts for more") {
@@ -161,7 +161,7 @@ TEST_CASE("what a stored test says: its onset, with the error of its interval") 
 
   TestSummary stable;
   stable.collapse.nearest = Nearest{.reading = 5, .normalised = 0.04, .error = 0.01};
-  CHECK(earlier_test(header, stable, {})->least_work == 0.04);
+  CHECK(earlier_test(header, stable, {})->min_work == 0.04);
   CHECK_FALSE(earlier_test(header, stable, {})->onset);
   CHECK_FALSE(earlier_test(header, stable, {})->in_extension);
   stable.peak = Instant{.reading = 3, .q_pa = -5e4, .p_eff_pa = 1e5};

@@ -90,10 +90,10 @@ TEST_CASE("near the limit surface less work is called low") {
 }
 
 TEST_CASE("a work with which earlier tests of the sand carried on is no sign") {
-  const auto level_at = [](double least_work) {
+  const auto level_at = [](double min_work) {
     EarlierTests earlier;
     earlier.add(
-        {.name = "sound", .control = DrivenPath::Control::strain_path, .least_work = least_work});
+        {.name = "sound", .control = DrivenPath::Control::strain_path, .min_work = min_work});
     WarningLevels levels(true, earlier);
     const RecordHeader header = shear_header(AxialControl::load);
     levels.start_stage(header.stage(1));
@@ -116,7 +116,7 @@ WarningLevel stiff_near_earlier(bool one_carried_on) {
                          .onset_error = 0.001};
   EarlierTests earlier;
   for (int i = 0; i < 2; ++i) earlier.add(lost);
-  if (one_carried_on) earlier.add({.name = "sound", .control = lost.control, .least_work = 0.001});
+  if (one_carried_on) earlier.add({.name = "sound", .control = lost.control, .min_work = 0.001});
   WarningLevels levels(true, earlier);
   const RecordHeader header = shear_header(AxialControl::load);
   levels.start_stage(header.stage(1));

@@ -34,6 +34,8 @@ TEST_CASE("day counts of both kinds, with the leap day of 1900 that never was") 
   CHECK(date_text(43507.5, CellStyle::date, false) == "2019-02-11 12:00:00");
   CHECK(date_text(0, CellStyle::date, true) == "1904-01-01");
   CHECK(date_text(0.5 + 1.25 / 86400, CellStyle::clock, false) == "12:00:01.250");
+  CHECK(date_text(1.09375, CellStyle::clock, false) == "26:15:00");
+  CHECK(date_text(43507.5, CellStyle::clock, false) == "2019-02-11 12:00:00");
   CHECK(date_text(-1, CellStyle::date, false) == "-1");
 }
 

@@ -132,8 +132,6 @@ TEST_CASE("archives that are no workbook say what they are") {
   lost.erase(lost.begin() + 1);
   CHECK_THAT(fails(lost), Contains("no part"));
   CHECK_THROWS_AS(ZipArchive::in_memory("m.xlsx", "PK\3\4 and then nothing"), BadInput);
-  CHECK_THROWS_AS(looks_like_workbook(*open_memory("a.xls", "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1")),
-                  BadInput);
   CHECK_FALSE(looks_like_workbook(*open_memory("a.csv", "a,b\n")));
 }
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lab/rig/chosen_test.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "lab/base/bad_input.hpp"
+#include "lab/diggs/diggs_source.hpp"
+#include "lab/rig/sheet_record.hpp"
+
+namespace triax::lab {
+namespace {
+
+/// dialect_for() without its finding.
+std::optional<Dialect> quiet_dialect(ByteSource& source, const RecordOptions& options) {
+  std::vector<Warning> warnings;
+  Findings findings(warnings);
+  return dialect_for(source, options, findings);
+}
+
+/// `open_table` opens the same file as a table.
+TestsInFile tests_of(std::unique_ptr<ByteSource> file, const RecordOptions& options, Extent extent,
+                     const std::function<std::unique_ptr<ByteSource>()>& open_table) {
+  TestsInFile tests;
+  if (looks_like_diggs(*file)) {
+    tests.document = std::make_shared<const DiggsDocument>(read_diggs(*file));
+    tests.names = diggs_tests(*tests.document);
+    return tests;
+  }
+  file.reset();
+  std::unique_ptr<ByteSource> table;
+  try {
+    table = open_table();
+  } catch (const BadInput&) {
+    return tests;  // reported by open_record()
+  }
+  tests.tables = find_tests(*table, quiet_dialect(*table, options), extent);
+  for (const TableTest& test : tests.tables) tests.names.push_back(test.name);
+  return tests;
+}
+
+}  // namespace
+
+TableTest chosen_test(ByteSource& source, const RecordOptions& options) {
+  const bool is_diggs = dynamic_cast<const DiggsSource*>(&source) != nullptr;
+  if (options.test == 0 || is_diggs) return {};
+  const auto tables =
+      options.tests ? options.tests->tables : find_tests(source, quiet_dialect(source, options));
+  if (tables.empty() && options.test == 1) return {};
+  if (options.test > tables.size())
+    throw BadInput(source.name(), 0,
+                   fmt::format("there is no test {}; the file has {}", options.test,
+                               std::max<std::size_t>(tables.size(), 1)));
+  return tables[options.test - 1];
+}
+
+TestsInFile tests_in(const std::string& path, const RecordOptions& options, Extent extent) {
+  const RecordOptions complete = with_dialect_beside(path, options);
+  return tests_of(open_file(path), complete, extent, [&] { return open_readings(path, complete); });
+}
+
+TestsInFile tests_in(const std::function<std::unique_ptr<ByteSource>()>& open,
+                     const RecordOptions& options, Extent extent) {
+  return tests_of(open(), options, extent, [&] { return sheet_or_text(open(), options); });
+}
+
+}  // namespace triax::lab
