@@ -25,7 +25,8 @@ constexpr const char* kListed =
     "SELECT t.id, t.name, t.origin, t.programme, s.status, s.last_sign_of_life, s.silent_s, "
     "v.kind, "
     "s.readings, t.stored_at, t.source, t.digest, "
-    "t.id IN (SELECT test_id FROM counted_tests) "
+    "t.id IN (SELECT test_id FROM counted_tests), "
+    "1 + (SELECT count(*) FROM revisions r WHERE r.test_id = t.id) "
     "FROM tests t JOIN seen_tests s ON s.test_id = t.id "
     "LEFT JOIN verdicts v ON v.test_id = t.id "
     "WHERE ?1 = '' OR EXISTS (SELECT 1 FROM tags g WHERE g.test_id = t.id AND g.tag = ?1) "
@@ -45,6 +46,7 @@ ListedTest listed(Columns c) {
   test.source = c.text();
   test.digest = c.text();
   test.counted = c.truth().value_or(true);
+  test.revision = c.integer().value_or(1);
   return test;
 }
 

@@ -24,6 +24,7 @@ struct ListedTest {
   std::string stored_at;                   ///< ISO 8601, UTC
   std::string source, digest;              ///< as in lab::RecordHeader
   bool counted = true;                     ///< in statistics: no later reading of its file stands
+  std::int64_t revision = 1;               ///< one more with each correction
   std::vector<std::string> tags;
 };
 

@@ -105,6 +105,13 @@ const std::vector<NamedQuery>& named_queries() {
       {"warnings", "corrections, joins and missing rows of the records",
        "SELECT DISTINCT t.id AS test_id, t.name AS test, t.origin, w.line, w.text "
        "FROM warnings w JOIN tests t ON t.id = w.test_id ORDER BY t.id, w.line"},
+      {"revisions",
+       "corrections of stored tests, with the old and the new value and the old result",
+       "SELECT t.id AS test_id, t.name AS test, t.origin, r.revision, r.revised_at, v.key, "
+       "v.old_value, v.new_value, r.former_kind, r.former_eta "
+       "FROM revisions r JOIN tests t ON t.id = r.test_id "
+       "JOIN revised_values v ON v.test_id = r.test_id AND v.revision = r.revision "
+       "ORDER BY t.id, r.revision, v.position"},
       {"unfinished_tests", "tests that are running or were interrupted, with the last heartbeat",
        "SELECT * FROM unfinished_tests ORDER BY test_id"},
   };

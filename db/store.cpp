@@ -247,7 +247,8 @@ TestVersion Store::version(std::int64_t id) const {
   return impl_->guarded([&] {
     std::optional<TestVersion> found;
     for_rows(impl_->database, id,
-             "SELECT s.status, t.stored_at, t.digest, s.readings "
+             "SELECT s.status, t.stored_at, t.digest, s.readings, "
+             "1 + (SELECT count(*) FROM revisions r WHERE r.test_id = t.id) "
              "FROM tests t JOIN seen_tests s ON s.test_id = t.id WHERE t.id = ?",
              [&found](Columns& c) {
                found.emplace();
@@ -255,6 +256,7 @@ TestVersion Store::version(std::int64_t id) const {
                found->stored_at = c.text();
                found->digest = c.text();
                found->readings = c.integer().value_or(0);
+               found->revision = c.integer().value_or(1);
              });
     if (!found) impl_->no_test(id);
     return *found;
@@ -303,6 +305,16 @@ std::optional<lab::State> Store::state_at(std::int64_t id, std::int64_t reading)
     if (reading >= 0 && reading <= kLastReading)
       visit_scans(impl_->database, id, 1, {reading, reading},
                   [&](const lab::Reading&, const lab::State& state) { found = state; });
+    return found;
+  });
+}
+
+std::vector<lab::Reading> Store::readings(std::int64_t id, std::int64_t from,
+                                          std::int64_t count) const {
+  return impl_->guarded([&] {
+    std::vector<lab::Reading> found;
+    visit_scans(impl_->database, id, 1, {std::max<std::int64_t>(from, 0), from + count - 1},
+                [&](const lab::Reading& reading, const lab::State&) { found.push_back(reading); });
     return found;
   });
 }

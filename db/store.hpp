@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "db/revisions.hpp"
 #include "lab/results/outlook.hpp"
 #include "lab/results/reading.hpp"
 #include "lab/results/record_header.hpp"
@@ -58,6 +59,8 @@ struct StoredTest {
   /// The state at the reading that the onset names: the onset's own values are fitted to its
   /// surroundings. Empty without an onset.
   std::optional<lab::State> state_at_onset{};
+  /// Corrections, oldest first (db/corrections/correction.hpp); all else is of the newest.
+  std::vector<Revision> revisions{};
 };
 
 /// What tells whether a test is still what it was when something was made of it.
@@ -66,6 +69,7 @@ struct TestVersion {
   std::string stored_at;  ///< as in StoredTest
   std::string digest;     ///< of the record
   std::int64_t readings = 0;
+  std::int64_t revision = 1;
 };
 
 /// "test 7 does not exist; ...". Several: "tests 7, 8 do not exist; ...". The rest lists all tests.
@@ -108,6 +112,8 @@ class Store {
       const std::function<void(const lab::Reading&, const lab::State&)>& use) const;
   /// One scan of it; empty where the test has no such reading.
   std::optional<lab::State> state_at(std::int64_t id, std::int64_t reading) const;
+  /// At most `count` readings from reading `from` on, as for_each_scan() gives them.
+  std::vector<lab::Reading> readings(std::int64_t id, std::int64_t from, std::int64_t count) const;
   std::int64_t scan_count(std::int64_t id) const;
   std::vector<lab::SecondOrderWorkPoint> second_order_work(std::int64_t id) const;
   /// What the alarm forecast while the test ran, in the order in which it was said.

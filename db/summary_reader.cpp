@@ -46,7 +46,8 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
       "limit_stress_ratio, limit_source, judged_until_reading, judged_until_reason, "
       "judged_from_reading, strength_lost, eta_low, eta_high, q_low_kPa, q_high_kPa, "
       "p_eff_low_kPa, p_eff_high_kPa, noticed_reading, noticed_time_s, "
-      "nearest_reading, nearest_normalised, nearest_error FROM verdicts WHERE test_id = ?",
+      "limit_intercept_kPa, nearest_reading, nearest_normalised, nearest_error FROM verdicts WHERE "
+      "test_id = ?",
       [&](Columns& c) {
         const auto kind = lab::collapse_kind_from(c.text());
         collapse.judged = kind.has_value();
@@ -62,6 +63,7 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
         collapse.strength_lost = c.number();
         interval = read_interval(c);
         collapse.noticed = read_moment(c);
+        collapse.limit_intercept_pa = c.si("kPa");
         if (const auto reading = c.integer())
           collapse.nearest = lab::Nearest{*reading, c.number().value_or(0), c.number().value_or(0)};
       });
@@ -112,6 +114,29 @@ void read_outlooks(SQLite::Database& database, std::int64_t id, lab::Collapse& c
            [&](Columns& c) {
              const bool imminent = lab::warning_level_from(c.text()) == lab::WarningLevel::imminent;
              (imminent ? collapse.imminent : collapse.approaching) = read_outlook(c);
+           });
+}
+
+void read_undrained_strength(SQLite::Database& database, std::int64_t id,
+                             std::optional<lab::UndrainedStrength>& strength) {
+  for_rows(database, id,
+           "SELECT reading, time_s, axial_strain, q_kPa, peaked, last_axial_strain, "
+           "reading_at_15_pct, time_at_15_pct_s, axial_strain_at_15_pct, q_at_15_pct_kPa "
+           "FROM undrained_strengths WHERE test_id = ?",
+           [&](Columns& c) {
+             const auto read = [&](std::int64_t reading) {
+               lab::Instant at;
+               at.reading = reading;
+               at.time_s = c.number();
+               at.axial_strain = c.number();
+               at.q_pa = c.si("kPa");
+               return at;
+             };
+             lab::UndrainedStrength& all = strength.emplace();
+             all.at = read(c.integer().value_or(0));
+             all.peaked = c.truth().value_or(true);
+             all.last_axial_strain = c.number().value_or(0);
+             if (const auto reading = c.integer()) all.at_15_pct = read(*reading);
            });
 }
 
@@ -224,6 +249,7 @@ void read_truth(SQLite::Database& database, std::int64_t id, std::optional<lab::
 void read_summary(SQLite::Database& database, std::int64_t id, lab::TestSummary& summary) {
   read_consolidation_and_checks(database, id, summary);
   summary.peak = read_instant(database, id, "peak");
+  read_undrained_strength(database, id, summary.undrained_strength);
   read_collapse(database, id, summary.collapse);
   read_outlooks(database, id, summary.collapse);
   read_cyclic(database, id, summary.cyclic);

@@ -65,6 +65,28 @@ void insert_cyclic(SQLite::Database& database, std::int64_t id,
       .run();
 }
 
+void insert_undrained_strength(SQLite::Database& database, std::int64_t id,
+                               const std::optional<lab::UndrainedStrength>& strength) {
+  if (!strength) return;
+  Statement insert(database, "INSERT INTO undrained_strengths VALUES (?,?,?,?,?,?,?,?,?,?,?,?)");
+  const lab::Instant& at = strength->at;
+  const lab::Instant later = strength->at_15_pct.value_or(lab::Instant{});
+  Binder(insert)
+      .integer(id)
+      .si(strength->c_u_pa(), "kPa")
+      .integer(at.reading)
+      .number(at.time_s)
+      .number(at.axial_strain)
+      .si(at.q_pa, "kPa")
+      .integer(strength->peaked)
+      .number(strength->last_axial_strain)
+      .integer(strength->at_15_pct ? std::optional(later.reading) : std::nullopt)
+      .number(later.time_s)
+      .number(later.axial_strain)
+      .si(later.q_pa, "kPa")
+      .run();
+}
+
 void bind_interval(Binder& row, const std::optional<lab::StressInterval>& of) {
   const lab::StressInterval known = of.value_or(lab::StressInterval{});
   const auto if_known = [&](double value) { return of ? std::optional(value) : std::nullopt; };
@@ -75,7 +97,7 @@ void bind_interval(Binder& row, const std::optional<lab::StressInterval>& of) {
 
 void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Collapse& c) {
   Statement insert(database,
-                   "INSERT INTO verdicts VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+                   "INSERT INTO verdicts VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   Binder row(insert);
   row.integer(id)
       .text_or_null(c.judged ? to_string(c.kind) : std::string_view())
@@ -93,6 +115,7 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
       .number(c.nearest ? std::optional(c.nearest->error) : std::nullopt);
   bind_interval(row, c.onset ? c.onset->interval : std::nullopt);
   bind_moment(row, c.noticed);
+  row.si(c.limit_intercept_pa, "kPa");
   row.run();
   insert_instant(database, id, "onset", c.onset);
   Statement criterion(database,
@@ -228,6 +251,7 @@ void insert_summary(SQLite::Database& database, std::int64_t test_id,
                     const lab::TestSummary& summary) {
   insert_consolidation(database, test_id, summary.consolidation);
   insert_instant(database, test_id, "peak", summary.peak);
+  insert_undrained_strength(database, test_id, summary.undrained_strength);
   insert_verdict(database, test_id, summary.collapse);
   insert_outlook(database, test_id, lab::WarningLevel::approaching, summary.collapse.approaching);
   insert_outlook(database, test_id, lab::WarningLevel::imminent, summary.collapse.imminent);

@@ -23,7 +23,7 @@ void read_specimen(SQLite::Database& database, std::int64_t id, lab::SpecimenInf
   for_rows(database, id,
            "SELECT height_mm, diameter_mm, void_ratio, consolidated_void_ratio, "
            "consolidated_height_mm, dry_mass_g, specific_gravity, membrane_thickness_mm, "
-           "membrane_modulus_kPa, limit_friction_angle_deg, material "
+           "membrane_modulus_kPa, limit_friction_angle_deg, material, cohesion_kPa "
            "FROM specimens WHERE test_id = ?",
            [&](Columns& c) {
              s.height_m = c.si("mm");
@@ -37,6 +37,7 @@ void read_specimen(SQLite::Database& database, std::int64_t id, lab::SpecimenInf
              s.membrane_modulus_pa = c.si("kPa");
              s.limit_friction_angle_rad = c.si("deg");
              s.material = c.text();
+             s.cohesion_pa = c.si("kPa");
            });
 }
 
@@ -159,6 +160,7 @@ StoredTest read_test(SQLite::Database& database, std::int64_t id) {
   read_events(database, id, test.events);
   read_sweep(database, id, test.sweep);
   read_tags(database, id, test.tags);
+  test.revisions = read_revisions(database, id);
   return test;
 }
 

@@ -24,7 +24,7 @@ std::string column_list(const std::vector<lab::Quantity>& columns) {
 }
 
 void insert_specimen(SQLite::Database& database, std::int64_t id, const lab::SpecimenInfo& s) {
-  Statement insert(database, "INSERT INTO specimens VALUES (?,?,?,?,?,?,?,?,?,?,?,?)");
+  Statement insert(database, "INSERT INTO specimens VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?)");
   Binder(insert)
       .integer(id)
       .si(s.height_m, "mm")
@@ -38,6 +38,7 @@ void insert_specimen(SQLite::Database& database, std::int64_t id, const lab::Spe
       .si(s.membrane_modulus_pa, "kPa")
       .si(s.limit_friction_angle_rad, "deg")
       .text_or_null(s.material)
+      .si(s.cohesion_pa, "kPa")
       .run();
 }
 
@@ -124,6 +125,20 @@ std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& he
   return id;
 }
 
+void replace_header(SQLite::Database& database, std::int64_t test_id,
+                    const lab::RecordHeader& header) {
+  for (const char* table : {"specimens", "stages", "record_notes", "guesses"}) {
+    Statement rows(database, std::string("DELETE FROM ") + table + " WHERE test_id = ?");
+    Binder(rows).integer(test_id).run();
+  }
+  Statement update(database, "UPDATE tests SET name = ?, programme = ? WHERE id = ?");
+  Binder(update).text(header.name).text_or_null(header.programme).integer(test_id).run();
+  insert_specimen(database, test_id, header.specimen);
+  insert_stages(database, test_id, header.stages);
+  insert_notes(database, test_id, header.notes);
+  insert_guesses(database, test_id, header.guesses);
+}
+
 void insert_sweep(SQLite::Database& database, std::int64_t test_id, const SweepMembership& sweep) {
   Statement insert(database, "INSERT INTO sweep_members VALUES (?,?,?,?,?,?)");
   int position = 0;
@@ -156,11 +171,15 @@ void mark_interrupted(SQLite::Database& database, std::int64_t test_id) {
   Binder(mark).integer(test_id).run();
 }
 
-void remove_test(SQLite::Database& database, std::int64_t test_id) {
+void remove_scans(SQLite::Database& database, std::int64_t test_id) {
   for (const char* table : {"scans", "scan_details", "work_points", "forecast_points"}) {
     Statement range(database, std::string("DELETE FROM ") + table + " WHERE id BETWEEN ? AND ?");
     Binder(range).integer(test_id << 32).integer(test_id << 32 | 0xffffffff).run();
   }
+}
+
+void remove_test(SQLite::Database& database, std::int64_t test_id) {
+  remove_scans(database, test_id);
   Statement test(database, "DELETE FROM tests WHERE id = ?");
   Binder(test).integer(test_id).run();
 }

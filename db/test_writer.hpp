@@ -16,9 +16,14 @@ namespace triax::db {
 /// that was read before (RecordHeader::digest) is one warning more. Returns the id of the test.
 std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& header,
                          const std::string& stored_at);
+/// What a correction can change of them: name, programme, specimen, stages, notes and assumptions.
+void replace_header(SQLite::Database& database, std::int64_t test_id,
+                    const lab::RecordHeader& header);
 void insert_sweep(SQLite::Database& database, std::int64_t test_id, const SweepMembership& sweep);
 void insert_event(SQLite::Database& database, std::int64_t test_id, const lab::Event& event);
 void mark_interrupted(SQLite::Database& database, std::int64_t test_id);
+/// Readings with their states, second-order work and forecasts.
+void remove_scans(SQLite::Database& database, std::int64_t test_id);
 /// Everything of that test, scans included.
 void remove_test(SQLite::Database& database, std::int64_t test_id);
 

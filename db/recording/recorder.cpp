@@ -50,6 +50,7 @@ struct Recorder::Impl {
     test_.sweep = std::move(sweep);
     turns_ = &turns;
   }
+  void knows(const lab::EarlierTests& earlier) { test_.earlier = earlier; }
   void when_entered(std::function<void(std::int64_t)> use) {
     tell_entered_ = std::move(use);
     is_awaited_ = true;
@@ -271,6 +272,8 @@ Recorder::~Recorder() {
 void Recorder::belongs_to(SweepMembership sweep, Turns& turns) {
   impl_->belongs_to(std::move(sweep), turns);
 }
+
+void Recorder::knows(const lab::EarlierTests& earlier) { impl_->knows(earlier); }
 
 lab::SessionListener Recorder::listener() {
   Impl* const impl = impl_.get();

@@ -9,6 +9,7 @@
 #include "db/recording/turns.hpp"
 #include "db/store.hpp"
 #include "lab/rig/session_listener.hpp"
+#include "lab/warning/earlier_tests.hpp"
 
 namespace triax::db {
 
@@ -47,6 +48,9 @@ class Recorder {
   /// order of the sweep, however many threads run it. `turns` must outlive this recorder; who runs
   /// the test says when its turn is over, in case it never enters.
   void belongs_to(SweepMembership sweep, Turns& turns);
+  /// Says what the alarm of the test knows, for later corrections (db/corrections/correction.hpp);
+  /// before the test starts.
+  void knows(const lab::EarlierTests& earlier);
   /// `use` is told the test's id as soon as it has entered the database, which is then with its
   /// first reading; in the recorder's own thread. Before the test starts.
   void when_entered(std::function<void(std::int64_t)> use);

@@ -10,6 +10,7 @@
 
 #include "db/columns.hpp"
 #include "db/connection.hpp"
+#include "db/corrections/first_header.hpp"
 #include "db/summary_writer.hpp"
 #include "db/test_writer.hpp"
 
@@ -109,6 +110,7 @@ void TestEntry::write(const TestStart& test, const Batch& batch, std::int64_t& i
   if (id == 0) {
     id = insert_test(*database_, test.header, test.stored_at);
     lease_.take(*database_, id);
+    insert_first_header(*database_, id, test.header, test.earlier);
     if (test.sweep) insert_sweep(*database_, id, *test.sweep);
   }
   if (!scans_) scans_.emplace(*database_, id);
@@ -127,6 +129,7 @@ void TestEntry::complete(const TestStart& test, const Batch& batch,
   in_transaction([&](std::int64_t& id) {
     write(test, batch, id);
     insert_summary(*database_, id, summary);
+    set_first_ending(*database_, id, summary.ending);
     lease_.end(*database_);
   });
 }

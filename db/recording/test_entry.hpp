@@ -14,6 +14,7 @@
 #include "db/recording/lease.hpp"
 #include "db/scan_writer.hpp"
 #include "db/store.hpp"
+#include "lab/warning/earlier_tests.hpp"
 
 namespace triax::db {
 
@@ -33,6 +34,7 @@ struct TestStart {
   lab::RecordHeader header;
   std::string stored_at;  ///< ISO 8601, UTC
   std::optional<SweepMembership> sweep;
+  lab::EarlierTests earlier{};  ///< that the alarm knows
 };
 
 /// Enters the database with its first batch, and holds the lease of the test from then on. Each

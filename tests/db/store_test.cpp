@@ -77,6 +77,7 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   header.specimen.void_ratio = 0.885;
   header.specimen.material = "Hostun S28";
   header.specimen.limit_friction_angle_rad = sim::radians(32);
+  header.specimen.cohesion_pa = 12.5e3;
   header.stages.push_back({2, "constant q", lab::StageRole::shear, lab::Drainage::open,
                            lab::AxialControl::constant_q, 0.4});
   header.stages.push_back(
@@ -85,6 +86,11 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   lab::TestSummary summary;
   summary.consolidation = {300e3, 0.97, 0.871, 0.1385, std::nullopt};
   summary.peak = lab::Instant{4, 0.4, 0.0051, 56.5e3, 97e3, 520e3};
+  summary.undrained_strength = {.at = {7, 0.7, 0.18, -176e3, {}, {}},
+                                .at_15_pct = lab::Instant{6, 0.6, 0.1502, -170e3, {}, {}},
+                                .last_axial_strain = 0.19,
+                                .peaked = false};
+  summary.collapse.limit_intercept_pa = 24.9e3;
   summary.collapse.kind = lab::CollapseKind::flow;
   summary.collapse.inside_limit_surface = true;
   summary.collapse.onset = lab::Instant{5, 0.5, 0.0052, 56.4e3, std::nullopt, 521e3};
@@ -156,6 +162,7 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   CHECK_FALSE(test.header.specimen.dry_mass_kg);
   CHECK(test.header.specimen.material == "Hostun S28");
   CHECK(*test.header.specimen.limit_friction_angle_rad == Approx(sim::radians(32)).epsilon(1e-15));
+  CHECK(*test.header.specimen.cohesion_pa == Approx(12.5e3));
   REQUIRE(test.header.stages.size() == 3);
   CHECK(test.header.stages[1].strain_path_R == 0.4);
   CHECK_FALSE(test.header.stages[0].strain_path_R);
@@ -174,6 +181,15 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   CHECK_FALSE(back.consolidation.diameter_m);
   CHECK(back.peak->reading == 4);
   CHECK(back.peak->q_pa == 56.5e3);
+  REQUIRE(back.undrained_strength);
+  CHECK(back.undrained_strength->c_u_pa() == Approx(88e3));
+  CHECK(back.undrained_strength->at.reading == 7);
+  CHECK(back.undrained_strength->at.axial_strain == 0.18);
+  CHECK(back.undrained_strength->last_axial_strain == 0.19);
+  CHECK_FALSE(back.undrained_strength->peaked);
+  CHECK(back.undrained_strength->at_15_pct->reading == 6);
+  CHECK(*back.undrained_strength->at_15_pct->q_pa == Approx(-170e3));
+  CHECK(*back.collapse.limit_intercept_pa == Approx(24.9e3));
   CHECK(back.collapse.kind == lab::CollapseKind::flow);
   CHECK(back.collapse.inside_limit_surface == true);
   CHECK(back.collapse.onset->reading == 5);

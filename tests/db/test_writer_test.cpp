@@ -57,5 +57,5 @@ TEST_CASE("a test is running, then complete or interrupted, and leaves nothing w
     CHECK(database.execAndGet("SELECT count(*) FROM " + table).getInt() == 0);
     ++seen;
   }
-  CHECK(seen == 40);
+  CHECK(seen == 44);
 }
