@@ -15,12 +15,14 @@
 #include "lab/base/text.hpp"
 #include "src/cli/output_guard.hpp"
 #include "src/cli/shared_options.hpp"
+#include "src/export/export_sink.hpp"
 #include "src/export/export_tables.hpp"
 #include "src/export/workbook/test_workbook.hpp"
 #include "src/output/file_names.hpp"
 #include "src/output/notice.hpp"
 #include "src/output/output.hpp"
 #include "src/study/handover/ags_delivery.hpp"
+#include "src/study/handover/diggs_delivery.hpp"
 #include "src/triaxial/left_waiting.hpp"
 
 namespace triax::src {
@@ -36,13 +38,14 @@ struct ExportOptions {
   bool states = false;
 };
 
-const std::vector<std::string> kFormats{"csv", "xlsx", "json", "ags"};
+const std::vector<std::string> kFormats{"csv", "xlsx", "json", "ags", "diggs"};
 
 std::string format_of(const ExportOptions& o) {
   if (!o.format.empty()) return o.format;
   const std::string ending = std::filesystem::path(o.output).extension().string();
   for (const auto& format : kFormats)
     if (ending == '.' + format) return format;
+  if (ending == ".xml") return "diggs";
   throw lab::BadInput("no format: use --format " + lab::joined(kFormats, "|") +
                       " or an --output file with that extension");
 }
@@ -120,6 +123,20 @@ void export_ags(const db::Store& store, const std::vector<study::TestResult>& te
   write_file(o.output.empty() ? "-" : o.output, lab::ags_text(document));
 }
 
+void export_diggs(const db::Store& store, const std::vector<study::TestResult>& tests,
+                  const ExportOptions& o) {
+  std::vector<study::AgsSaid> said;
+  for (const auto& [key, value] : key_values(o.sets, "LOCA_ID=BH1"))
+    said.push_back(study::diggs_said(key, value));
+  std::vector<db::StoredTest> stored;
+  stored.reserve(tests.size());
+  for (const auto& test : tests) stored.push_back(test.stored);
+  ExportSink sink(o.output.empty() ? "-" : o.output);
+  study::write_diggs(store, stored, said, today(),
+                     [&sink](std::string_view text) { sink.write(text); });
+  sink.finish();
+}
+
 void check_file(const std::string& path) {
   const auto check = lab::check_ags(*lab::open_file(path));
   std::string text;
@@ -137,7 +154,8 @@ void check_file(const std::string& path) {
 void run_export(const ExportOptions& o) {
   if (!o.check.empty()) return check_file(o.check);
   const std::string format = format_of(o);
-  if (!o.sets.empty() && format != "ags") throw lab::BadInput("--set needs --format ags");
+  if (!o.sets.empty() && format != "ags" && format != "diggs")
+    throw lab::BadInput("--set needs --format ags or diggs");
   if (o.states && format != "csv")
     throw lab::BadInput("--states needs --format csv; json and xlsx contain the states already");
   refuse_overwriting("--output", o.output, database_files(o.db), "the database");
@@ -148,6 +166,7 @@ void run_export(const ExportOptions& o) {
     tests.push_back(study::load_test_result(store, id, study::WithCurves::no));
   if (tests.empty()) throw lab::BadInput(o.db, 0, "no test in the database");
   if (format == "ags") return export_ags(store, tests, o);
+  if (format == "diggs") return export_diggs(store, tests, o);
   if (format == "xlsx") return export_workbooks(store, tests, o);
   if (format == "json") return export_json(store, tests, o.output.empty() ? "-" : o.output);
   const auto files = files_of_tests(o, format, tests);
@@ -162,7 +181,7 @@ void run_export(const ExportOptions& o) {
 Command export_command() {
   return {
       .name = "export",
-      .purpose = "Export tests as CSV, workbook, JSON or AGS4",
+      .purpose = "Export tests as CSV, workbook, JSON, AGS4 or DIGGS",
       .description =
           {"Writes the named tests, or all tests, for other programs. A test is named by its "
            "number or its name. If several tests have the same name, the latest is used.",
@@ -183,6 +202,13 @@ Command export_command() {
            "SPEC_DPTH) come from the preamble of the record or from --set and are written "
            "unchanged. Values that the record lacks are empty. A file that would violate a rule of "
            "AGS4 is not written.",
+           "diggs is one document of DIGGS 2.6 with all tests: project, locations, specimens, "
+           "readings with their units, shearing increments and results. triax replay reads it "
+           "back bit for bit. --set gives the project, client and references of the specimen "
+           "under the names of AGS4: PROJ_NAME, PROJ_CLNT, LOCA_ID, SAMP_REF, SAMP_TOP, SPEC_REF. "
+           "Values without an element of DIGGS are written as otherTestProperty. A simulated test "
+           "is "
+           "marked as simulated.",
            "--check validates an AGS4 file against the rules of the format and lists each line "
            "that violates one. Nothing is exported."},
       .diagnostics = {{"FILE: database does not exist; ...",
@@ -196,6 +222,7 @@ Command export_command() {
             "export a workbook with live formulas as CSU_26.xlsx"},
            {"triax export 1 2 --format ags --set LOCA_ID=BH1 --set 1/SAMP_REF=22 --output lab.ags",
             "export two tests as AGS4 with the references of the client"},
+           {"triax export --output tests.xml --set LOCA_ID=BH1", "export all tests as DIGGS"},
            {"triax export --format json --output all.json",
             "export all tests with readings and states"},
            {"triax export --check lab.ags", "validate an AGS4 file"}},
@@ -209,8 +236,8 @@ Command export_command() {
         app.add_option("--output", o->output, "file to write, or folder for several files")
             ->type_name("FILE");
         app.add_option("--set", o->sets,
-                       "heading of AGS4 that the record lacks; TEST/HEADING=VALUE for one test "
-                       "(repeatable)")
+                       "heading of AGS4 that the record lacks, also for DIGGS; "
+                       "TEST/HEADING=VALUE for one test (repeatable)")
             ->type_name("HEADING=VALUE")
             ->allow_extra_args(false);
         app.add_flag("--states", o->states,

@@ -74,6 +74,7 @@ SpecimenTerms write_specimen(Sheet& sheet, const db::StoredTest& test,
   terms.membrane_thickness_m = rows.add("thickness of the membrane", s.membrane_thickness_m, "mm");
   terms.membrane_modulus_pa = rows.add("modulus of the membrane", s.membrane_modulus_pa, "kPa");
   rows.add("limit friction angle", s.limit_friction_angle_rad, "deg");
+  rows.add("cohesion", s.cohesion_pa, "kPa");
   // Results: nothing rests on their last bit.
   const lab::Consolidation& c = test.summary.consolidation;
   rows.add("p′ at the start of shear", c.p_eff_pa, "kPa");

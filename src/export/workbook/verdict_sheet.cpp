@@ -104,6 +104,7 @@ void write_verdict(Sheet& sheet, const db::StoredTest& test, const TestContent& 
   if (judged) {
     if (c.detected()) rows.text("limit surface", inside_limit_surface(c));
     rows.number("limit_stress_ratio_M", c.limit_stress_ratio);
+    rows.number("limit_intercept_kPa", kilopascals(c.limit_intercept_pa));
     rows.text("limit from", c.limit_source);
     rows.number("second_order_work_normalised", c.second_order_work_normalised);
     rows.number("second_order_work_error", c.second_order_work_error);
@@ -113,6 +114,11 @@ void write_verdict(Sheet& sheet, const db::StoredTest& test, const TestContent& 
       rows.number("least second_order_work_normalised", c.nearest->normalised);
       rows.number("at reading", static_cast<double>(c.nearest->reading));
     }
+  }
+  if (const auto& strength = test.summary.undrained_strength) {
+    rows.heading("Undrained strength");
+    rows.number("undrained_strength_kPa", strength->c_u_pa() / 1e3);
+    add_instant(rows, strength->at);
   }
   if (const auto onset = study::collapse_onset(test)) {
     rows.heading("Onset of collapse");
