@@ -11,7 +11,7 @@
 #include "src/probe/probe.hpp"
 #include "src/soil/soil.hpp"
 #include "src/triaxial/query.hpp"
-#include "src/triaxial/replay.hpp"
+#include "src/triaxial/replay/replay.hpp"
 #include "src/triaxial/report.hpp"
 #include "src/triaxial/simulate.hpp"
 #include "src/triaxial/tests.hpp"

@@ -12,13 +12,14 @@ namespace triax::src {
 namespace {
 
 // Ends at the border: what a plot cuts off on a screen, an SVG without clipping would show.
-QCPGraph* draw_ray(QCustomPlot& plot, double slope, const std::string& name, const QPen& pen) {
+QCPGraph* draw_ray(QCustomPlot& plot, double slope, const std::string& name, const QPen& pen,
+                   double intercept = 0) {
   const auto q = plot.yAxis->range();
   double p_end = plot.xAxis->range().upper;
-  if (slope != 0) p_end = std::min(p_end, (slope > 0 ? q.upper : q.lower) / slope);
+  if (slope != 0) p_end = std::min(p_end, ((slope > 0 ? q.upper : q.lower) - intercept) / slope);
   auto* ray = plot.addGraph();
-  ray->addData(0, 0);
-  ray->addData(p_end, slope * p_end);
+  ray->addData(0, intercept);
+  ray->addData(p_end, intercept + slope * p_end);
   ray->setPen(pen);
   ray->setName(QString::fromStdString(name));
   return ray;
@@ -36,11 +37,13 @@ void draw_instability_line(QCustomPlot& plot, double eta) {
            line(kVermilion, 1.4, Qt::DashLine));
 }
 
-void draw_mohr_coulomb_line(QCustomPlot& plot, double limit_stress_ratio) {
+void draw_mohr_coulomb_line(QCustomPlot& plot, double limit_stress_ratio, double intercept) {
+  if (intercept >= plot.yAxis->range().upper) return;  // all of it is above the plot
   draw_ray(plot, limit_stress_ratio,
-           fmt::format("Mohr-Coulomb line (M = {:.2f}{})", limit_stress_ratio,
-                       angle(limit_stress_ratio)),
-           line(kInk, 1.4));
+           fmt::format("Mohr-Coulomb line (M = {:.2f}{}{})", limit_stress_ratio,
+                       angle(limit_stress_ratio),
+                       intercept > 0 ? fmt::format(", k = {:.1f} kPa", intercept) : ""),
+           line(kInk, 1.4), intercept);
 }
 
 void draw_mohr_coulomb_lines(QCustomPlot& plot, const std::vector<double>& limit_stress_ratios) {

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "lab/base/text.hpp"
 #include "src/output/words.hpp"
 #include "src/triaxial/facts/collapse_fact.hpp"
+#include "src/triaxial/facts/undrained_strength_fact.hpp"
 #include "src/triaxial/facts/verdict_fact.hpp"
 
 namespace triax::src {
@@ -178,6 +180,27 @@ Table checks_table(const db::StoredTest& test) {
   return table;
 }
 
+/// "2, 2026-11-27T10:00:00Z: specimen.height_mm 140 -> 150; before: flow, η = 0.740"
+std::string revision_line(const db::Revision& revision) {
+  const auto shown = [](const std::string& text) { return text.empty() ? "unknown" : text; };
+  std::vector<std::string> values;
+  for (const db::RevisedValue& value : revision.values)
+    values.push_back(
+        fmt::format("{} {} -> {}", value.key, shown(value.before), shown(value.after)));
+  std::string line = fmt::format(
+      "{}, {}: {}; before: {}", revision.number, revision.revised_at, lab::joined(values),
+      revision.former_kind ? to_string(*revision.former_kind) : "not assessed");
+  if (revision.former_eta) line += fmt::format(", η = {:.3f}", *revision.former_eta);
+  return line;
+}
+
+void add_revisions(std::vector<Fact>& facts, const db::StoredTest& test) {
+  if (test.revisions.empty()) return;
+  facts.push_back({"Revisions", {}});
+  for (const db::Revision& revision : test.revisions)
+    facts.back().lines.push_back(revision_line(revision));
+}
+
 /// What every account of a test begins with.
 TestContent begun_content(const db::StoredTest& test) {
   TestContent content;
@@ -232,8 +255,11 @@ TestContent test_content(const study::TestResult& reported) {
   TestContent content = begun_content(test);
   auto& facts = content.facts;
   add_tags(facts, test);
+  add_revisions(facts, test);
   facts.push_back({"Specimen", {specimen_line(test.header.specimen)}});
   facts.push_back({"Start of shear", {shear_start_line(test)}});
+  if (const auto& strength = test.summary.undrained_strength)
+    facts.push_back({"Undrained strength", undrained_strength_lines(*strength)});
   add_collapse(facts, test);
   if (test.header.origin == Origin::recorded)
     facts.push_back({"Membrane correction", {membrane_line(test)}});
@@ -255,7 +281,10 @@ TestContent brief_content(const db::StoredTest& test) {
   facts.push_back({"Stored", {stored_line(test)}});
   facts.push_back({"SHA-256", {or_unknown(test.header.digest)}});
   add_tags(facts, test);
+  add_revisions(facts, test);
   facts.push_back({"Specimen", {specimen_line(test.header.specimen)}});
+  if (const auto& strength = test.summary.undrained_strength)
+    facts.push_back({"Undrained strength", undrained_strength_lines(*strength)});
   facts.push_back({"Collapse", {verdict_line(test)}});
   if (auto list = study::warnings(test); !list.empty())
     facts.push_back({"Warnings", std::move(list)});

@@ -72,6 +72,7 @@ Json specimen_json(const lab::SpecimenInfo& specimen) {
           {"membrane_thickness_mm", mm(specimen.membrane_thickness_m)},
           {"membrane_modulus_kPa", study::json_kPa(specimen.membrane_modulus_pa)},
           {"limit_friction_angle_deg", study::json_deg(specimen.limit_friction_angle_rad)},
+          {"cohesion_kPa", study::json_kPa(specimen.cohesion_pa)},
           {"material", study::json_text(specimen.material)}};
 }
 
@@ -200,9 +201,28 @@ Json collapse_json(const db::StoredTest& test) {
   object["strength_lost"] = study::json_number(collapse.strength_lost);
   object["nearest"] = nearest_json(collapse.nearest);
   object["limit_stress_ratio"] = study::json_number(collapse.limit_stress_ratio);
+  object["limit_intercept_kPa"] = study::json_kPa(collapse.limit_intercept_pa);
   object["limit_source"] = study::json_text(collapse.limit_source);
   object["criteria"] = criteria_json(collapse.criteria);
   object["truth"] = truth_json(test.summary.truth);
+  return object;
+}
+
+Json strength_at_json(const std::optional<lab::Instant>& at) {
+  if (!at) return nullptr;
+  return {{"reading", at->reading},
+          {"time_s", study::json_number(at->time_s)},
+          {"axial_strain", study::json_number(at->axial_strain)},
+          {"q_kPa", study::json_kPa(at->q_pa)}};
+}
+
+Json undrained_strength_json(const std::optional<lab::UndrainedStrength>& strength) {
+  if (!strength) return nullptr;
+  Json object = strength_at_json(strength->at);
+  object["c_u_kPa"] = study::json_kPa(strength->c_u_pa());
+  object["peaked"] = strength->peaked;
+  object["last_axial_strain"] = study::json_number(strength->last_axial_strain);
+  object["at_15_pct"] = strength_at_json(strength->at_15_pct);
   return object;
 }
 
@@ -275,22 +295,45 @@ Json guard_json(const std::optional<lab::GuardOutcome>& guard) {
           {"without", std::move(without)}};
 }
 
+/// Nothing for a test that was never corrected.
+void put_revisions(Json& document, const db::StoredTest& test) {
+  if (test.revisions.empty()) return;
+  Json& list = document["revisions"] = Json::array();
+  for (const db::Revision& revision : test.revisions) {
+    Json values = Json::array();
+    for (const db::RevisedValue& value : revision.values)
+      values.push_back({{"key", value.key},
+                        {"old", study::json_text(value.before)},
+                        {"new", study::json_text(value.after)}});
+    list.push_back({{"revision", revision.number},
+                    {"revised_at", revision.revised_at},
+                    {"former_kind",
+                     revision.former_kind ? Json(to_string(*revision.former_kind)) : Json(nullptr)},
+                    {"former_eta", study::json_number(revision.former_eta)},
+                    {"values", std::move(values)}});
+  }
+}
+
 Json document_of(const db::StoredTest& test) {
   Json peak;
   put_instant(peak, test.summary.peak);
-  return {{"test", test_json(test)},
-          {"specimen", specimen_json(test.header.specimen)},
-          {"consolidation", consolidation_json(test)},
-          {"peak", std::move(peak)},
-          {"collapse", collapse_json(test)},
-          {"cyclic", cyclic_json(test.summary.cyclic)},
-          {"guard", guard_json(test.summary.guard)},
-          {"events", events_json(test.events)},
-          {"corrections", {{"membrane", study::json_text(test.summary.membrane_correction)}}},
-          {"notes", notes_json(test.header.notes)},
-          {"guesses", guesses_json(test.header.guesses)},
-          {"checks", checks_json(test.summary.checks)},
-          {"warnings", study::warnings(test)}};
+  Json document = {
+      {"test", test_json(test)},
+      {"specimen", specimen_json(test.header.specimen)},
+      {"consolidation", consolidation_json(test)},
+      {"peak", std::move(peak)},
+      {"undrained_strength", undrained_strength_json(test.summary.undrained_strength)},
+      {"collapse", collapse_json(test)},
+      {"cyclic", cyclic_json(test.summary.cyclic)},
+      {"guard", guard_json(test.summary.guard)},
+      {"events", events_json(test.events)},
+      {"corrections", {{"membrane", study::json_text(test.summary.membrane_correction)}}},
+      {"notes", notes_json(test.header.notes)},
+      {"guesses", guesses_json(test.header.guesses)},
+      {"checks", checks_json(test.summary.checks)},
+      {"warnings", study::warnings(test)}};
+  put_revisions(document, test);
+  return document;
 }
 
 }  // namespace
@@ -302,10 +345,12 @@ std::string json_of_test(const study::TestResult& test) {
 }
 
 std::string json_in_short(const db::StoredTest& test) {
-  return study::json_document({{"test", test_json(test)},
-                               {"specimen", specimen_json(test.header.specimen)},
-                               {"collapse", collapse_json(test)},
-                               {"warnings", study::warnings(test)}});
+  Json document = {{"test", test_json(test)},
+                   {"specimen", specimen_json(test.header.specimen)},
+                   {"collapse", collapse_json(test)},
+                   {"warnings", study::warnings(test)}};
+  put_revisions(document, test);
+  return study::json_document(document);
 }
 
 std::string json_report(const std::vector<study::TestResult>& tests) {

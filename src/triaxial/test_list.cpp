@@ -37,6 +37,7 @@ study::Json listed_json(const db::ListedTest& test) {
       {"source", study::json_text(test.source)},
       {"digest", study::json_text(test.digest)},
       {"counted", test.counted},
+      {"revision", test.revision},
       {"tags", test.tags}};
 }
 

@@ -16,8 +16,11 @@
 #include "src/cli/shared_options.hpp"
 #include "src/output/notice.hpp"
 #include "src/output/output.hpp"
+#include "src/output/progress_bar.hpp"
 #include "src/output/table.hpp"
 #include "src/output/words.hpp"
+#include "src/study/correction/correct_test.hpp"
+#include "src/triaxial/facts/verdict_fact.hpp"
 #include "src/triaxial/json_report.hpp"
 #include "src/triaxial/left_waiting.hpp"
 #include "src/triaxial/test_list.hpp"
@@ -79,6 +82,32 @@ void run_rename(const TestsOptions& o) {
                             lab::excerpt(lab::trimmed(o.words[1]))));
 }
 
+std::string in_words(const db::RevisedValue& value) {
+  const auto shown = [](const std::string& text) {
+    return text.empty() ? std::string("unknown") : text;
+  };
+  return fmt::format("  {}: {} -> {}\n", value.key, shown(value.before), shown(value.after));
+}
+
+void run_set(const TestsOptions& o) {
+  const std::int64_t id = id_of(o.words.front());
+  const auto values = key_values(behind_the_first(o.words), "specimen.height_mm=140");
+  ProgressBar bar(fmt::format("test {}", id));
+  const auto corrected =
+      study::correct_test(o.db, id, values, [&bar](double fraction) { bar.show(fraction); });
+  std::string sentences;
+  for (const auto& test : only(o, id)) {
+    if (corrected.revision == 0)
+      sentences =
+          fmt::format("{} has these values already; nothing was changed\n", test_in_words(test));
+    else
+      sentences = fmt::format("{} is now revision {}: {}\n", test_in_words(test),
+                              corrected.revision, verdict_word(test.status, test.kind));
+  }
+  for (const auto& value : corrected.values) sentences += in_words(value);
+  print_changed(o, id, sentences);
+}
+
 void print_tags(const TestsOptions& o, std::int64_t id) {
   std::string sentences;
   for (const auto& test : only(o, id))
@@ -134,6 +163,7 @@ constexpr auto kActions = std::to_array<Action>({
     {"list", "no ID; use --tag TAG to select tests", 0, 0, run_list},
     {"show", "ID, the number of one test", 1, 1, run_show},
     {"rename", "ID NAME; put a name of several words in quotes", 2, 2, run_rename},
+    {"set", "ID KEY=VALUE..., the number of one test and the values to correct", 2, kAny, run_set},
     {"tag", "ID TAG..., the number of one test and its new tags", 2, kAny, run_tag},
     {"untag", "ID TAG..., the number of one test and the tags to remove", 2, kAny, run_untag},
     {"remove", "ID..., the numbers of one or more tests", 1, kAny, run_remove},
@@ -163,11 +193,16 @@ void run_tests(const TestsOptions& o) {
 Command tests_command() {
   return {
       .name = "tests",
-      .purpose = "List, show, rename, tag, remove or repair stored tests",
+      .purpose = "List, show, correct, rename, tag, remove or repair stored tests",
       .description =
           {"Without an action, the tests are listed: number, name, origin, type of test, "
            "assessment, number of readings, time of storage and tags. show ID prints a summary of "
            "one test: its file with the SHA-256 digest, tags, specimen, assessment and warnings.",
+           "set ID KEY=VALUE... corrects values of a test, with the keys of replay --set: "
+           "specimen.height_mm, stages.2.role, labels.borehole and others. The test is reduced and "
+           "assessed again from its stored readings and gets a new revision under the same number. "
+           "The readings do not change. KEY= sets a value back to that of revision 1. show lists "
+           "all revisions with their dates and values.",
            "rename ID NAME renames a test. tag ID TAG... and untag ID TAG... add and remove tags, "
            "and --tag lists the tests with a tag. remove ID... deletes tests with all of their "
            "readings, without asking for confirmation, either all of them or none. A test that is "
@@ -186,9 +221,14 @@ Command tests_command() {
       .diagnostics = {{"FILE: test N does not exist; ...",
                        "list the numbers with triax tests; nothing was changed"},
                       {"... is still being recorded; ...",
-                       "stop the program that records it, or wait; nothing was removed"}},
+                       "stop the program that records it, or wait; nothing was changed"},
+                      {"test N was stored by an older triax, and its stored readings do not give "
+                       "its stored result; ...",
+                       "replay the file of this test with --set"}},
       .examples = {{"triax tests", "list all tests, one per line"},
                    {"triax tests --tag loose --json", "list the tests with a tag, for a script"},
+                   {"triax tests set 3 specimen.height_mm=140.2 labels.borehole=B3",
+                    "correct values of test 3 and assess it again"},
                    {"triax tests rename 3 \"CSU 26\"", "rename test 3"},
                    {"triax tests tag 3 loose thesis", "add two tags to test 3"},
                    {"triax tests remove 1 2", "delete two tests from the database"},
@@ -200,8 +240,8 @@ Command tests_command() {
             ->check(CLI::IsMember(actions).description(""))
             ->type_name(lab::joined(actions, "|"));
         app.add_option("ID", o->words,
-                       "number of the test (remove: one or more; rename: ID NAME; tag, untag: ID "
-                       "TAG...)")
+                       "number of the test (remove: one or more; rename: ID NAME; set: ID "
+                       "KEY=VALUE...; tag, untag: ID TAG...)")
             ->type_name("");
         app.add_option("--tag", o->tag, "list only tests with this tag")->type_name("TAG");
         add_db(app, o->db);

@@ -44,7 +44,7 @@ TEST_CASE("each kind of bad record is one clear line, status 2, and leaves nothi
       {"empty", "", "empty"},
       {"header only", kHeadings, "headings without a row of readings; the record is empty"},
       {"semicolons", replaced(good, ",", ";"), "comma"},
-      {"bars", replaced(good, ",", "|"), "only one column"},
+      {"bars", replaced(good, ",", "|"), "separated by pipe"},
       {"missing channel", replaced(good, "axial_force_kN", "something_else"), "axial_force_kN"},
       {"two of one name", replaced(good, "back_volume_mm3", "axial_force_kN"), "axial_force_kN"},
       {"text in a number", good + "40,abc,0.02,800,500,500,0\n",

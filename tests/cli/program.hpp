@@ -41,11 +41,12 @@ class Workplace {
   std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
   bool has(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
 
-  /// triax ARGUMENTS (as a shell splits them) in this folder.
-  Outcome triax(const std::string& arguments) const {
+  /// triax ARGUMENTS (as a shell splits them) in this folder, with this text as its input.
+  Outcome triax(const std::string& arguments, const std::string& input = {}) const {
+    if (!input.empty()) write(folder_ / ".in", input);
     const std::string command = "cd '" + folder_.string() +
                                 "' && unset COLUMNS; " TRIAX_PROGRAM " " + arguments +
-                                " >.out 2>.err </dev/null";
+                                " >.out 2>.err <" + (input.empty() ? "/dev/null" : ".in");
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder_ / ".out"),
             content(folder_ / ".err")};

@@ -12,6 +12,7 @@
 #include "lab/ags/ags_data_type.hpp"
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
+#include "lab/results/labels.hpp"
 
 namespace triax::study {
 namespace {
@@ -30,6 +31,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kLabels{
      {"depth", "SAMP_TOP"},
      {"tiefe", "SAMP_TOP"},
      {"test number", "SPEC_REF"}}};
+
+/// Labels of a test, stronger than a preamble.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kOfLabels{
+    {{"borehole", "LOCA_ID"}, {"sample", "SAMP_REF"}, {"depth", "SAMP_TOP"}}};
 
 constexpr std::array kKeys{"LOCA_ID", "SAMP_TOP", "SAMP_REF", "SAMP_TYPE",
                            "SAMP_ID", "SPEC_REF", "SPEC_DPTH"};
@@ -87,12 +92,15 @@ bool is_of(const AgsSaid& said, const db::StoredTest& test) {
 
 AgsCells ags_references(const db::StoredTest& test, const std::vector<AgsSaid>& said) {
   AgsCells keys;
-  keys["SPEC_REF"] = lab::ags_ascii(test.header.name);
   for (const lab::Note& note : test.header.notes) {
     const auto heading = heading_of_label(note.label);
     if (heading.empty() || note.text.empty()) continue;
     keys[heading] = is_depth(heading) ? depth(note.text) : note.text;
   }
+  for (const auto& [key, heading] : kOfLabels)
+    if (auto text = lab::label_text(test.header, *lab::find_label(key)); !text.empty())
+      keys[std::string(heading)] = is_depth(std::string(heading)) ? depth(text) : std::move(text);
+  keys.try_emplace("SPEC_REF", lab::ags_ascii(test.header.name));
   for (const AgsSaid& one : said)
     if (is_of(one, test) && std::ranges::find(kKeys, one.heading) != kKeys.end())
       keys[one.heading] = is_depth(one.heading) ? ags_cell(one.value, "2DP") : one.value;

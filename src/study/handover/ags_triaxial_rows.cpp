@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "lab/ags/ags_data_type.hpp"
-#include "lab/base/text.hpp"
+#include "lab/results/test_type.hpp"
 #include "src/study/handover/ags_codes.hpp"
 #include "src/study/handover/ags_delivery.hpp"
 #include "src/study/triaxial/test_result.hpp"
@@ -131,8 +131,10 @@ void add_total_stress_rows(AgsRows& rows, const AgsTest& test, const AgsCells& k
   const auto& specimen = test.stored.header.specimen;
   AgsCells general = keys;
   general["SPEC_DESC"] = lab::ags_ascii(specimen.material);
-  const auto programme = lab::folded(test.stored.header.programme);
-  general["TRIG_TYPE"] = programme == "unc" ? "UNC" : programme == "uum" ? "UUM" : "UU";
+  const auto* type = lab::find_test_type(test.stored.header.programme);
+  general["TRIG_TYPE"] = type && type->unconfined    ? "UNC"
+                         : type && type->multi_stage ? "UUM"
+                                                     : "UU";
   if (test.stored.header.origin == lab::Origin::simulated)
     general["TRIG_REM"] = "SIMULATED, not measured";
   general["TRIG_METH"] = fmt::format("Reduced by triax {}", version());

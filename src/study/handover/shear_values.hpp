@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "db/store.hpp"
+#include "lab/measured/undrained_strength.hpp"
 
 namespace triax::study {
 
@@ -27,7 +28,7 @@ struct CycleValues {
 };
 
 /// Axial strain up to which the largest q of a test of total stresses is looked for (ISO 17892-8).
-inline constexpr double kLastTotalStrain = 0.20;
+inline constexpr double kLastTotalStrain = lab::kIsoFailureStrain;
 
 struct ShearValues {
   std::optional<ScanValues> start;  ///< first scan of shear with known stresses

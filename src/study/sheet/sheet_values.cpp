@@ -167,6 +167,8 @@ void SheetReader::add_shear(const lab::Reading& reading, const lab::State& state
 bool SheetReader::is_largest_q(const lab::State& state) const {
   const bool total = test_.header.is_total_stress();
   if (total && std::abs(state.strain.axial) > kLastTotalStrain) return false;
+  const auto& strength = test_.summary.undrained_strength;
+  if (total && strength) return state.reading == strength->at.reading;
   const auto& peak = test_.summary.peak;
   if (peak && !total) return state.reading == peak->reading;
   return !largest_q_ || std::abs(state.q) > std::abs(largest_q_->state.q);

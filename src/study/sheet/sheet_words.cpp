@@ -11,23 +11,13 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
+#include "lab/results/labels.hpp"
 
 namespace triax::study {
 namespace {
 
-constexpr std::array kWords = {
-    SheetWord{"project", "Project"},
-    SheetWord{"location", "Location"},
-    SheetWord{"borehole", "Borehole"},
-    SheetWord{"sample", "Sample"},
-    SheetWord{"depth", "Depth (m)"},
-    SheetWord{"description", "Soil"},
-    SheetWord{"specimen_type", "Specimen"},
-    SheetWord{"laboratory", "Laboratory"},
-    SheetWord{"operator", "Operator"},
-    SheetWord{"date", "Begun"},
-    SheetWord{"date_end", "Ended"},
-    SheetWord{"checked", "Checked"},
+/// Beside the labels that a test can have (lab/results/labels.hpp).
+constexpr std::array kOtherWords = {
     SheetWord{"drained_at", "Drained at"},
     SheetWord{"mass_g", "Mass as built (g)"},
     SheetWord{"water_content_pct", "Water content as built (%)"},
@@ -35,7 +25,6 @@ constexpr std::array kWords = {
     SheetWord{"dry_mass_after_g", "Dry mass after (g)"},
     SheetWord{"water_content_after_pct", "Water content after (%)"},
     SheetWord{"failure_mode", "Mode of failure"},
-    SheetWord{"remarks", "Remarks"},
     SheetWord{"top_drain", "Top drain"},
     SheetWord{"base_drain", "Base drain"},
     SheetWord{"side_drains", "Side drains"},
@@ -49,7 +38,7 @@ constexpr std::array kWords = {
 };
 
 /// Labels of preambles, folded and without a bracket at their end.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 49> kLabels{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 50> kLabels{
     {{"project", "project"},
      {"projekt", "project"},
      {"job reference", "project"},
@@ -95,6 +84,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 49> kLabels{
      {"failure mode", "failure_mode"},
      {"mode of failure", "failure_mode"},
      {"remarks", "remarks"},
+     {"auftraggeber", "client"},
      {"top drain used", "top_drain"},
      {"base drain used", "base_drain"},
      {"side drains used", "side_drains"},
@@ -141,15 +131,22 @@ std::string what_is_wrong(const SaidWord& said) {
 
 }  // namespace
 
-std::span<const SheetWord> sheet_word_list() { return kWords; }
+std::span<const SheetWord> sheet_word_list() {
+  static const std::vector<SheetWord> words = [] {
+    std::vector<SheetWord> all(lab::label_keys().begin(), lab::label_keys().end());
+    all.insert(all.end(), kOtherWords.begin(), kOtherWords.end());
+    return all;
+  }();
+  return words;
+}
 
 SaidWord said_word(const std::string& key, const std::string& value) {
   SaidWord said{.test = {}, .key = key, .value = value};
   if (const auto slash = key.rfind('/'); slash != std::string::npos)
     said = {key.substr(0, slash), key.substr(slash + 1), value};
   std::vector<std::string> known;
-  known.reserve(kWords.size());
-  for (const auto& word : kWords) known.emplace_back(word.key);
+  known.reserve(sheet_word_list().size());
+  for (const auto& word : sheet_word_list()) known.emplace_back(word.key);
   if (std::ranges::find(known, said.key) == known.end())
     throw lab::BadInput(
         fmt::format("--set {}: unknown key; {}", key, lab::suggestion(said.key, known)));
@@ -165,6 +162,9 @@ SheetWords sheet_words(const db::StoredTest& test, const std::vector<SaidWord>& 
     if (!key.empty() && !note.text.empty()) words.emplace(key, note.text);
   }
   if (!test.header.specimen.material.empty()) words["description"] = test.header.specimen.material;
+  for (const lab::LabelKey& label : lab::label_keys())
+    if (auto text = lab::label_text(test.header, label); !text.empty())
+      words[std::string(label.key)] = std::move(text);
   for (const auto& one : said)
     if (one.test.empty() || one.test == test.header.name || one.test == std::to_string(test.id))
       words[one.key] = one.value;

@@ -9,15 +9,13 @@
 #include <vector>
 
 #include "db/store.hpp"
+#include "lab/results/labels.hpp"
 #include "src/study/sheet/root_time.hpp"
 
 namespace triax::study {
 
-struct SheetWord {
-  std::string_view key;    ///< "borehole", of --set
-  std::string_view label;  ///< "Borehole"
-};
-/// All of them, in the order of the head.
+using SheetWord = lab::LabelKey;
+/// All of them: the labels of a test in the order of the head, then what only a test report needs.
 std::span<const SheetWord> sheet_word_list();
 
 /// --set KEY=VALUE, or TEST/KEY=VALUE of one test.

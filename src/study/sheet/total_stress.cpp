@@ -13,7 +13,7 @@
 namespace triax::study {
 namespace {
 
-constexpr double kAstmStrain = 0.15;
+constexpr double kAstmStrain = lab::kAstmFailureStrain;
 constexpr double kSlowest = 0.003 / 60, kFastest = 0.01 / 60;  // 1/s, D2850: brittle, plastic
 constexpr double kRounding = 1.05;
 

@@ -31,7 +31,8 @@ std::vector<double> limits_of(const std::vector<TestResult>& tests,
   std::map<std::int64_t, double> by_rounded;
   for (const auto& test : tests)
     if (const auto& m = test.stored.summary.collapse.limit_stress_ratio;
-        m && std::isfinite(*m) && collapse_onset(test.stored) && !left_out.contains(test.stored.id))
+        m && !test.stored.summary.collapse.limit_intercept_pa && std::isfinite(*m) &&
+        collapse_onset(test.stored) && !left_out.contains(test.stored.id))
       by_rounded.emplace(std::llround(*m * 100), *m);
   std::vector<double> values;
   values.reserve(by_rounded.size());

@@ -24,6 +24,7 @@ StressPath stress_path(const TestResult& test) {
   if (const auto& truth = summary.truth; truth && truth->p_eff_pa && truth->q_pa)
     path.true_onset = {*truth->p_eff_pa, *truth->q_pa};
   path.limit_stress_ratio = summary.collapse.limit_stress_ratio;
+  path.limit_intercept_pa = summary.collapse.limit_intercept_pa;
   path.origin.add(test.stored);
   return path;
 }

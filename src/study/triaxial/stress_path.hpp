@@ -29,6 +29,7 @@ struct StressPath {
   std::optional<StressPoint> failure;        ///< which is no collapse
   std::optional<StressPoint> true_onset;     ///< of a simulated specimen itself
   std::optional<double> limit_stress_ratio;  ///< M of the limit surface
+  std::optional<double> limit_intercept_pa;  ///< k of it, with cohesion
   TestsOrigin origin;
 };
 

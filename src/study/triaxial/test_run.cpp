@@ -12,6 +12,7 @@ std::int64_t run_test(lab::BackEnd& back_end, const lab::SessionOptions& options
                       lab::SessionListeners also, db::Patience patience,
                       std::function<void(std::int64_t)> entered, const std::string& writer) {
   db::Recorder recorder(db, std::move(patience), writer);
+  recorder.knows(options.earlier);
   if (entered) recorder.when_entered(std::move(entered));
   also.insert(also.begin(), recorder.listener());
   try {

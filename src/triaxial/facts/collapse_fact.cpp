@@ -22,6 +22,8 @@ std::string limit_line(const db::StoredTest& test) {
   if (!collapse.limit_stress_ratio)
     return collapse.limit_source.empty() ? "unknown" : collapse.limit_source;
   auto line = fmt::format("M = {}", number(collapse.limit_stress_ratio, 3));
+  if (const auto& intercept = collapse.limit_intercept_pa)
+    line += fmt::format(", k = {} kPa (q = M p′ + k)", in_kPa(intercept));
   const bool of_the_law = test.header.origin == lab::Origin::simulated &&
                           test.header.specimen.limit_friction_angle_rad.has_value();
   if (of_the_law)

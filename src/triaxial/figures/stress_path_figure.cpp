@@ -63,7 +63,9 @@ Drawing stress_path_figure(const study::StressPath& path) {
   plot->xAxis->setRange(p_range.with_margin(0.06, true));
   plot->yAxis->setRange(q_range.with_margin(0.10, true));
 
-  if (path.limit_stress_ratio) draw_mohr_coulomb_line(*plot, *path.limit_stress_ratio);
+  if (path.limit_stress_ratio)
+    draw_mohr_coulomb_line(*plot, *path.limit_stress_ratio,
+                           path.limit_intercept_pa.value_or(0) / 1e3);
   if (path.onset) draw_instability_line(*plot, path.onset->eta());
   draw_path(*plot, before, "before shear", line(kGrey, 1.2));
   draw_path(*plot, shear, before.points.empty() ? "stress path" : "stress path in shear",

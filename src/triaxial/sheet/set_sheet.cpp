@@ -219,14 +219,16 @@ SheetPart circles_part(const Strength& strength) {
 }
 
 SheetBox set_head(const TestSet& set) {
+  constexpr std::size_t kHeadLabels = 14, kAlwaysPrinted = 12;
   SheetBox box{.columns = 4};
-  for (const auto& [key, label] : study::sheet_word_list().first(12)) {
+  for (const auto& [key, label] : study::sheet_word_list().first(kHeadLabels)) {
     std::vector<std::string> said;
     for (const auto* test : set.tests) {
       auto word = study::word_of(test->words, key);
       if (!word.empty() && std::ranges::find(said, word) == said.end())
         said.push_back(std::move(word));
     }
+    if (said.empty() && box.facts.size() >= kAlwaysPrinted) continue;
     if (said.size() > 3) said = {said.front() + " …"};
     box.facts.push_back({std::string(label), {}});
     if (!said.empty()) box.facts.back().lines = {fmt::format("{}", fmt::join(said, ", "))};

@@ -15,7 +15,8 @@
 namespace triax::src {
 namespace {
 
-constexpr std::size_t kHeadWords = 12;  // of the list: those of the head
+constexpr std::size_t kHeadWords = 12;         // of the list: those of the head
+constexpr std::size_t kOptionalHeadWords = 2;  // behind them: client and who ordered the test
 
 std::string kPa(double pa, int decimals = 1) { return in_kPa(if_known(pa), decimals); }
 
@@ -52,6 +53,9 @@ SheetBox head_box(const SheetTest& test) {
   SheetBox box{.columns = 4};
   for (const auto& [key, label] : study::sheet_word_list().first(kHeadWords))
     box.facts.push_back(fact_or_blank(std::string(label), study::word_of(test.words, key)));
+  for (const auto& [key, label] : study::sheet_word_list().subspan(kHeadWords, kOptionalHeadWords))
+    if (auto word = study::word_of(test.words, key); !word.empty())
+      box.facts.push_back({std::string(label), {std::move(word)}});
   const auto& stored = test.result.stored;
   box.facts.push_back(fact_or_blank("Type", stored.header.programme));
   box.facts.push_back(fact_or_blank("Test no.", fmt::format("{}", stored.id)));

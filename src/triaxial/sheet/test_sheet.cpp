@@ -50,6 +50,7 @@ bool holds_q(const db::StoredTest& test) {
 
 std::string kind_of_test(const SheetTest& test) {
   const auto& stored = test.result.stored;
+  if (stored.header.is_unconfined()) return "Unconfined compression test";
   if (stored.header.is_total_stress()) return "Unconsolidated undrained triaxial test";
   if (stored.summary.cyclic) return "Cyclic triaxial test";
   for (const auto& stage : stored.header.stages)

@@ -32,6 +32,21 @@ TEST_CASE("a line ends at the border and keeps its slope, in compression and in 
   }
 }
 
+TEST_CASE("draw_mohr_coulomb_line: cohesion lifts the line, up to the border of the plot") {
+  const OwnPlot plot = make_plot(400, 400);
+  plot->xAxis->setRange(0, 300);
+  plot->yAxis->setRange(0, 90);
+  draw_mohr_coulomb_line(*plot, 1.2, 30);
+  REQUIRE(plot->graphCount() == 1);
+  const auto& data = *plot->graph(0)->data();
+  CHECK(data.constBegin()->value == Approx(30));
+  CHECK((data.constEnd() - 1)->value == Approx(90));
+  CHECK((data.constEnd() - 1)->key == Approx(50));
+  CHECK(plot->graph(0)->name().contains("k = 30.0 kPa"));
+  draw_mohr_coulomb_line(*plot, 1.2, 100);
+  CHECK(plot->graphCount() == 1);
+}
+
 TEST_CASE("one line is told by its slope, two by what each is of") {
   CHECK(instability_words({0.54}) == "η = 0.54");
   CHECK(instability_words({0.54, -0.38}) == "η = 0.54 in compression, -0.38 in extension");

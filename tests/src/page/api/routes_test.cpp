@@ -112,6 +112,81 @@ TEST_CASE("a record that lacks the specimen is asked for exactly that, and then 
   CHECK(page.json("/api/tests/1/export?format=json")["test"]["id"] == 1);
 }
 
+TEST_CASE("import: proposal, chosen dialect, preview and replay of a table") {
+  Asked page;
+  std::string table = "Zeit;Dehnung;q;Druck\n;%;kPa;kPa\n";
+  for (int i = 0; i < 60; ++i)
+    table += std::to_string(10 * i) + ';' + std::to_string(0.1 * i) + ';' + std::to_string(2 * i) +
+             ';' + std::to_string(200 + i) + '\n';
+  CHECK(page.send("/api/records?name=a.csv", table)["test"].is_null());
+  const Json proposal = page.send("/api/records/proposal?name=a.csv", table);
+  REQUIRE(proposal["error"].is_null());
+  CHECK(proposal["own"] == false);
+  REQUIRE(proposal["tables"][0]["columns"].size() == 4);
+  CHECK(proposal["tables"][0]["rows"][1][2] == "2");
+  Json choices = {{"name", "a"}, {"separator", "semicolon"}};
+  choices["columns"] = Json::array();
+  int position = 0;
+  for (const auto& [quantity, unit] : {std::pair{"time", "s"},
+                                       {"axial_strain", "%"},
+                                       {"deviator_stress", "kPa"},
+                                       {"pore_pressure", "kPa"}})
+    choices["columns"].push_back(
+        {{"quantity", quantity}, {"position", ++position}, {"unit", unit}});
+  choices["values"] = {{"cell_pressure", 500}};
+  const Json written = Json::parse(page.post("/api/dialects", choices).body);
+  CHECK(written["file"].is_null());
+  std::string query = "?name=a.csv";
+  for (const char c : "\n" + written["dialect"].get<std::string>())
+    query += c == '\n' ? "&dialect=" : c == '%' ? "%25" : std::string(1, c);
+  const Json preview = page.send("/api/records/preview" + query, table);
+  REQUIRE(preview["error"].is_null());
+  CHECK(preview["readings"] == 60);
+  CHECK(preview["path"]["p_eff_kPa"][0].get<double>() == Approx(300));
+  CHECK(preview["path"]["q_kPa"].back().get<double>() == Approx(118));
+  CHECK(page.folder.is_empty());
+  CHECK(page.send("/api/records" + query, table)["test"] == 1);
+
+  choices["key"] = proposal["key"];
+  const Json kept = Json::parse(page.post("/api/dialects", choices).body);
+  CHECK(std::filesystem::exists(kept["file"].get<std::string>()));
+  const Json again = page.send("/api/records?name=b.csv&set=test.cell_pressure_kPa%3D400",
+                               table + "600;6;99;261\n");
+  CHECK(again["test"] == 2);
+  CHECK(again["recognised"]["dialect"] == "a");
+  CHECK(page.send("/api/records?name=b.csv", table)["test"].is_null());  // values are not kept
+}
+
+TEST_CASE("import: choices that are no dialect are refused") {
+  Asked page;
+  const Json column = {{"quantity", "time"}, {"position", 1}};
+  const auto refuses = [&](const Json& body) {
+    try {
+      page.post("/api/dialects", body);
+      return false;
+    } catch (const Refused& refused) {
+      return refused.status() == 400;
+    }
+  };
+  CHECK_FALSE(refuses({{"name", "x"}, {"columns", {column}}}));
+  CHECK(refuses(Json::object()));
+  CHECK(refuses({{"columns", 1}}));
+  CHECK(refuses({{"columns", Json::array()}}));
+  CHECK(refuses({{"columns", {1}}}));
+  CHECK(refuses({{"columns", Json::array_t(300, column)}}));
+  CHECK(refuses({{"columns", {column, column}}}));
+  for (const char* quantity : {"nothing", "time = 1\n[test]\nx", ""})
+    CHECK(refuses({{"columns", {{{"quantity", quantity}, {"position", 1}}}}}));
+  for (const double position : {-1.0, 0.0, 1.5, 1e9})
+    CHECK(refuses({{"columns", {{{"quantity", "time"}, {"position", position}}}}}));
+  for (const char* key : {"../../../tmp/x", "a", "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"})
+    CHECK(refuses({{"columns", {column}}, {"key", key}}));
+  CHECK(refuses({{"columns", {column}}, {"values", {{"time", 1}}}}));
+  CHECK(refuses({{"columns", {column}}, {"values", {{"x = 1\ny", 1}}}}));
+  CHECK(refuses({{"columns", {column}}, {"separator", "nothing"}}));
+  CHECK(page.folder.is_empty());
+}
+
 TEST_CASE("export_of: a download without room in memory is refused") {
   Asked page;
   page.send("/api/records?name=one.csv&set=specimen.height_mm%3D140&set=specimen.diameter_mm%3D70",

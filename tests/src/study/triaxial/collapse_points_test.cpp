@@ -52,6 +52,12 @@ TEST_CASE("a file that was read twice is one point, that of the later reading") 
   CHECK(found.origin.tests == 2);
 }
 
+TEST_CASE("collapse_points: a limit with cohesion is no line through the origin") {
+  std::vector<TestResult> tests(1, sample::flow_test());
+  tests[0].stored.summary.collapse.limit_intercept_pa = 20e3;
+  CHECK(collapse_points(tests).limit_stress_ratios.empty());
+}
+
 TEST_CASE("limits rise, and those that print alike are one; a type without a name is other") {
   std::vector<TestResult> tests(3, sample::flow_test());
   tests[0].stored.summary.collapse.limit_stress_ratio = 1.301;

@@ -83,6 +83,9 @@ TEST_CASE("the sheet of a UU test says c_u, total stresses and %/min, and no B")
   const auto test = sheet_of_cell(200e3, 50e3, request);
   const auto sheet = test_sheet(test);
   CHECK(sheet.title == "Unconsolidated undrained triaxial test");
+  auto unconfined = test;
+  unconfined.result.stored.header.programme = "UC";
+  CHECK(test_sheet(unconfined).title == "Unconfined compression test");
   const auto boxes = titles(sheet);
   for (const char* none : {"Saturation", "Consolidation and rate", "Collapse"})
     CHECK(std::ranges::find(boxes, none) == boxes.end());
@@ -146,8 +149,19 @@ TEST_CASE("JSON says what the sheet says: c_u, side drains, piston, and that non
   CHECK(value(box, "piston").find(fmt::format("{:.2f} kPa", friction)) != std::string::npos);
   CHECK(value(box, "q_f without them")
             .starts_with(fmt::format("100.0 − {:.2f} = {:.1f} kPa", 10 + friction, 90 - friction)));
-  const auto plain = study::Json::parse(json_of_test(test.result));
+  auto plain = study::Json::parse(json_of_test(test.result));
   CHECK_FALSE(plain.contains("sheet"));
+  CHECK(plain["undrained_strength"].is_null());
+  test.result.stored.summary.undrained_strength = {.at = {100, 600.0, 0.1, 100e3, {}, {}},
+                                                   .at_15_pct = {},
+                                                   .last_axial_strain = 0.15,
+                                                   .peaked = true};
+  test.result.stored.header.specimen.cohesion_pa = 5e3;
+  plain = study::Json::parse(json_of_test(test.result));
+  CHECK(plain["undrained_strength"]["c_u_kPa"].get<double>() == Approx(50));
+  CHECK(plain["undrained_strength"]["axial_strain"].get<double>() == Approx(0.1));
+  CHECK(plain["undrained_strength"]["at_15_pct"].is_null());
+  CHECK(plain["specimen"]["cohesion_kPa"].get<double>() == Approx(5));
 }
 
 TEST_CASE("a membrane that nobody took off is told with its size") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/triaxial/print_replayed.hpp"
+#include "src/triaxial/replay/print_replayed.hpp"
 
 #include "db/store.hpp"
 #include "src/output/output.hpp"
