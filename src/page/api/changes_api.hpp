@@ -6,8 +6,15 @@
 
 namespace triax::src {
 
-/// Replays the record that was sent; or says what it does not hold.
-PageAnswer take_record(PageLaboratory& laboratory, const PageRequest& request);
+/// Reads the record that was sent, as RecordToRead describes. Query: name, set=KEY=VALUE
+/// (repeatable), dialect=LINE (repeatable; lines of TOML), worksheet.
+PageAnswer take_record(PageLaboratory& laboratory, const PageRequest& request, RecordTask task);
+/// Writes the dialect of a user's choices: {"dialect": TOML, "file": where it was remembered, or
+/// null}. Body: name, encoding, separator, decimal, thousands, worksheet, block, columns (quantity,
+/// position, unit, sign, date_order), values (kPa by quantity), and key (of
+/// study::proposal_json()): with it the dialect, without the values, is stored for tables with
+/// these headings. Throws Refused for choices that are no dialect.
+PageAnswer write_chosen_dialect(PageLaboratory& laboratory, const std::string& body);
 /// Begins a test of a programme; its number.
 PageAnswer begin_run(PageLaboratory& laboratory, const std::string& body);
 PageAnswer order_run(PageLaboratory& laboratory, std::int64_t test, RunOrder::Kind kind,

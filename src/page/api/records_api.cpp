@@ -13,7 +13,7 @@ namespace {
 /// What reading a record may need: a line of the longest, the head, a batch for the database.
 constexpr std::size_t kMemoryOfReader = std::size_t{64} << 20;
 
-std::string name_of(const Target& target) {
+std::string file_name_in(const Target& target) {
   std::string name = target.value("name").value_or("record");
   if (const auto slash = name.find_last_of("/\\"); slash != std::string::npos)
     name = name.substr(slash + 1);
@@ -35,12 +35,25 @@ std::vector<std::pair<std::string, std::string>> sets_of(const Target& target) {
   return sets;
 }
 
+/// One value for each line, since a target must not have control characters.
+std::string dialect_in(const Target& target) {
+  std::string text;
+  for (const auto& [name, line] : target.query)
+    if (name == "dialect") text.append(line).push_back('\n');
+  return text;
+}
+
 }  // namespace
 
-PageAnswer take_record(PageLaboratory& laboratory, const PageRequest& request) {
+PageAnswer take_record(PageLaboratory& laboratory, const PageRequest& request, RecordTask task) {
   const auto share = laboratory.budget.take(kMemoryOfReader);
   if (!share) throw Refused(503, "too many records are read at once; try again later");
-  const RecordToRead record{laboratory.db, name_of(request.target), sets_of(request.target), {}};
+  const RecordToRead record{.db = laboratory.db,
+                            .name = file_name_in(request.target),
+                            .sets = sets_of(request.target),
+                            .task = task,
+                            .dialect = dialect_in(request.target),
+                            .sheet = request.target.value("worksheet").value_or("")};
   return json_answer(laboratory.read_record(
       record, *request.upload, [&] { return laboratory.ending || request.is_cancelled(); }));
 }

@@ -43,7 +43,8 @@ Json in_short(const db::StoredTest& test) {
 /// What must not have changed for a summary that was made to stand.
 std::string version_of(const db::ListedTest& test) {
   std::string version = test.name + '\n' + std::string(to_string(test.status)) + '\n' +
-                        test.stored_at + '\n' + test.digest + '\n' + std::to_string(test.readings);
+                        test.stored_at + '\n' + test.digest + '\n' + std::to_string(test.readings) +
+                        '\n' + std::to_string(test.revision);
   for (const std::string& tag : test.tags) version += '\n' + tag;
   return version;
 }
@@ -99,9 +100,10 @@ std::int64_t number_asked(const Target& target, std::string_view name, std::int6
 }
 
 /// What must not have changed for columns that were read to stand: with its end a test has readings
-/// that it had not while it ran.
+/// that it had not while it ran, and with a correction other states.
 std::string columns_version_of(const db::TestVersion& test) {
-  return test.stored_at + '\n' + test.digest + '\n' + std::string(to_string(test.status));
+  return test.stored_at + '\n' + test.digest + '\n' + std::string(to_string(test.status)) + '\n' +
+         std::to_string(test.revision);
 }
 
 PageAnswer cut(PageLaboratory& laboratory, const db::Store& store, std::int64_t id,

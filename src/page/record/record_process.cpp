@@ -73,11 +73,15 @@ class Descriptor {
 
 struct Pipe {
   Descriptor read, write;
-  explicit Pipe(int flags) {
+  /// `read_flags` are those of the end that is read. A process writes more than a pipe holds, and
+  /// waits until it is read.
+  explicit Pipe(int read_flags) {
     std::array<int, 2> ends{-1, -1};
-    if (::pipe2(ends.data(), O_CLOEXEC | flags) != 0) throw lab::WorkFailed(system_error("pipe"));
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw lab::WorkFailed(system_error("pipe"));
     read.set(ends[0]);
     write.set(ends[1]);
+    if (::fcntl(read.number(), F_SETFL, read_flags) != 0)
+      throw lab::WorkFailed(system_error("fcntl"));
   }
 };
 
@@ -215,7 +219,10 @@ std::vector<std::string> arguments_for(const RecordToRead& record, const Upload&
                                         record.name,
                                         record.writer,
                                         std::to_string(max_file_bytes(record, upload)),
-                                        std::to_string(cpu_s)};
+                                        std::to_string(cpu_s),
+                                        std::string(name_of(record.task)),
+                                        record.dialect,
+                                        record.sheet};
   for (const auto& [key, value] : record.sets) arguments.insert(arguments.end(), {key, value});
   return arguments;
 }
@@ -242,19 +249,22 @@ std::string read_record_apart(RecordToRead record, const Upload& upload, std::ui
   const int status = process.end();
   const auto result = parse_result(text);
   if (result && result->ok) return result->text;
-  db::discard_left_test(record.db, record.writer, was_there);
+  if (record.task == RecordTask::replay) db::discard_left_test(record.db, record.writer, was_there);
   if (result) throw lab::WorkFailed(result->text);
   if (stop()) throw Refused(503, "reading the record was stopped; nothing is stored");
   throw_for_end(status);
 }
 
 [[noreturn]] void run_record_process(const std::vector<std::string>& arguments) {
-  constexpr std::size_t kNamed = 5;
+  constexpr std::size_t kNamed = 8;
   const auto number = [&](std::size_t i) {
     return lab::whole_text_as<std::uint64_t>(arguments[i]).value_or(0);
   };
   if (arguments.size() < kNamed || arguments.size() % 2 != kNamed % 2) ::_exit(2);
   RecordToRead record{arguments[0], arguments[1], {}, arguments[2]};
+  record.task = find_record_task(arguments[5]).value_or(RecordTask::replay);
+  record.dialect = arguments[6];
+  record.sheet = arguments[7];
   for (std::size_t i = kNamed; i < arguments.size(); i += 2)
     record.sets.emplace_back(arguments[i], arguments[i + 1]);
   ::signal(SIGXFSZ, SIG_DFL);     // main() ignores it

@@ -29,12 +29,15 @@ export const get = (path, signal) => asked(path, { signal });
 export const post = (path, body, signal) =>
   asked(path, { method: "POST", signal, headers: { "X-Triax": "1", "Content-Type": "application/json" }, body: JSON.stringify(body) });
 
-/** The bytes of a record file, with what the file does not say. */
-export function postRecord(file, answers) {
-  const query = new URLSearchParams({ name: file.name });
-  for (const [key, value] of Object.entries(answers)) query.append("set", `${key}=${value}`);
-  return asked(`/api/records?${query}`,
-    { method: "POST", headers: { "X-Triax": "1", "Content-Type": "application/octet-stream" }, body: file });
+/** The bytes of a record file, with what the file does not say: values by key, a dialect (TOML), the worksheet of a workbook. `task` is "" to
+ *  read it, "/proposal" for what its columns may be, "/preview" for its stress path. */
+export function postRecord(file, { sets = {}, dialect = "", worksheet = "" }, task = "", { name = file.name, signal } = {}) {
+  const query = new URLSearchParams({ name });
+  for (const [key, value] of Object.entries(sets)) query.append("set", `${key}=${value}`);
+  for (const line of dialect ? dialect.split("\n") : []) query.append("dialect", line);
+  if (worksheet) query.set("worksheet", worksheet);
+  return asked(`/api/records${task}?${query}`,
+    { method: "POST", signal, headers: { "X-Triax": "1", "Content-Type": "application/octet-stream" }, body: file });
 }
 
 export const windowPath = (id, columns, { from, to, pixels, work = false }) => {

@@ -1,54 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A record that is dropped on the page, or chosen, is replayed. What it does not say is asked for, exactly that.
-import { postRecord } from "./api.js";
-import { el, field, fill } from "./dom.js";
-import { failed, leaveNotice } from "./notice.js";
+// Records that are dropped on the page, or chosen, are replayed.
+import { el } from "./dom.js";
+import { Imports } from "./imports.js";
 
-const recognisedAs = (r) => (!r || typeof r === "string" ? r : [r.dialect, r.programme, `${r.columns?.length ?? 0} columns`].filter(Boolean).join(", "));
-const guess = (g) => (typeof g === "string" ? g : `${g.what}: assumed to be ${g.taken}${g.evidence ? ` (${g.evidence})` : ""}. ${g.remedy ?? ""}`);
+const imports = new Imports();
 
-function missingForm(answer, answers, send) {
-  const inputs = answer.missing.map(({ key, label, unit, why }) => {
-    const input = el("input", { name: key, required: true, autocomplete: "off", value: answers[key] ?? "", inputmode: unit ? "decimal" : null });
-    return field(`${label ?? key}${unit ? ` (${unit})` : ""}`, input, el("span", { class: "why" }, label ? key : why));
-  });
-  const form = el("form", { class: "stack", on: { submit: (event) => {
-    event.preventDefault();
-    send({ ...answers, ...Object.fromEntries(new FormData(form)) });
-  } } }, el("h2", { tabindex: -1 }, "Missing from the record"), el("div", { class: "columns" }, inputs),
-  el("div", { class: "row" }, el("button", { class: "main", type: "submit" }, "Replay with these")));
-  return form;
-}
-
-/** `main` takes the drop, wherever on the page it falls. The server's answer to a file of more than `most` bytes would be lost
- *  while the file is sent: it is refused here. */
-export function dropZone(main, most) {
-  const result = el("div", { "aria-live": "polite" });
-  const input = el("input", { type: "file", hidden: true, "aria-label": "Record file", tabindex: -1, id: "record-file" });
-  const choose = el("button", { type: "button", on: { click: () => input.click() } }, "Open a record…");
-  const zone = el("div", { class: "drop" }, el("span", {}, "Drop a record of a logger here"), choose, input);
-
-  async function send(file, answers) {
-    if (file.size > most) return fill(result, failed(new Error(`${file.name} has ${Math.round(file.size / 2 ** 20)} MB; the page accepts at most ${most / 2 ** 20}. "triax replay" has no such limit.`)));
-    fill(result, el("p", { class: "notice", role: "status" }, `Reading ${file.name}…`));
-    try {
-      const answer = await postRecord(file, answers);
-      const guessed = (answer.guessed ?? []).map(guess);
-      if (answer.test !== null && answer.test !== undefined) {
-        leaveNotice(`${file.name} was replayed${answer.recognised ? `, recognised as ${recognisedAs(answer.recognised)}` : ""}.`, guessed);
-        location.hash = `#/test/${answer.test}`;
-        return;
-      }
-      fill(result, el("section", { class: "panel stack", "aria-label": "What was found in the record" },
-        el("p", {}, el("strong", {}, file.name), answer.recognised ? `: recognised as ${recognisedAs(answer.recognised)}.` : "."),
-        guessed.length ? [el("h3", {}, "Assumed"), el("ul", {}, guessed.map((g) => el("li", {}, g)))] : null,
-        answer.error ? failed(new Error(answer.error)) : null,
-        answer.missing?.length ? missingForm(answer, answers, (more) => send(file, more)) : null));
-      result.querySelector("h2")?.focus();
-    } catch (failure) {
-      fill(result, failed(failure));
-    }
-  }
+/** `main` takes the drop, wherever on the page it falls. `most` is the size in bytes that the server accepts of one file; `changed()`
+ *  is called when several files were read. The list of files stays while other parts of the page are shown. */
+export function dropZone(main, most, changed) {
+  const first = el("input", { type: "checkbox", id: "columns-first" });
+  Object.assign(imports, { most, changed, columnsFirst: () => first.checked });
+  const input = el("input", { type: "file", hidden: true, multiple: true, "aria-label": "Record files", tabindex: -1, id: "record-file" });
+  const choose = el("button", { type: "button", on: { click: () => input.click() } }, "Open records…");
+  const zone = el("div", { class: "drop" }, el("span", {}, "Drop records of a logger here"), choose,
+    el("span", { class: "tick" }, first, el("label", { for: "columns-first" }, "Show the columns first")), input);
 
   const over = (event, is) => {
     event.preventDefault();
@@ -58,12 +23,11 @@ export function dropZone(main, most) {
   main.addEventListener("dragleave", (event) => over(event, false));
   main.addEventListener("drop", (event) => {
     over(event, false);
-    const file = event.dataTransfer?.files[0];
-    if (file) send(file, {});
+    imports.add([...(event.dataTransfer?.files ?? [])]);
   });
   input.addEventListener("change", () => {
-    if (input.files[0]) send(input.files[0], {});
+    imports.add([...input.files]);
     input.value = "";
   });
-  return el("div", { class: "stack" }, zone, result);
+  return el("div", { class: "stack" }, zone, imports.node);
 }

@@ -40,3 +40,6 @@ export function left(amount) {
   const [factor, unit, of, places] = LEFT[amount.quantity] ?? [1, "", words(amount.quantity), 3];
   return { value: fixed(amount.value * factor, places), unit, of };
 }
+
+/** What was assumed of a record, with its evidence and the option that changes it. */
+export const assumption = (g) => `${g.what}: assumed to be ${g.taken}${g.evidence ? ` (${g.evidence})` : ""}. ${g.remedy ?? ""}`;

@@ -3,7 +3,7 @@
 //   {kind: "line", x, y, colour, width, dash, dotted}      x, y: arrays in the order of readings; dotted: places to which nothing
 //                                                  was read from the place before (breaks.js)
 //   {kind: "band", x, low, high, colour}
-//   {kind: "ray", slope, colour, dash, label}      through the origin
+//   {kind: "ray", slope, intercept, colour, dash, label}      from x = 0; without an intercept through the origin
 //   {kind: "mark", x, y, shape, colour, label}     shape "ring", "cross" or "dot"
 //   {kind: "rule", x, colour, dash}                a vertical line; {kind: "level", y} a horizontal one
 //   {kind: "cells", ...}, {kind: "wedges", ...}    see cells.js
@@ -83,18 +83,20 @@ function label(u, text, left, top, name, align = "left") {
 
 function ray(u, layer) {
   const { ctx, scales, bbox } = u;
-  const end = Math.min(scales.x.max, layer.slope !== 0 ? Math.abs((layer.slope > 0 ? scales.y.max : scales.y.min) / layer.slope) : scales.x.max);
-  const start = scales.x.distr === 3 || scales.y.distr === 3 ? Math.max(scales.x.min, scales.y.min / layer.slope) : 0;
+  const { slope, intercept = 0 } = layer;
+  const at = (x) => x * slope + intercept;
+  const end = Math.min(scales.x.max, slope !== 0 ? Math.abs(((slope > 0 ? scales.y.max : scales.y.min) - intercept) / slope) : scales.x.max);
+  const start = scales.x.distr === 3 || scales.y.distr === 3 ? Math.max(scales.x.min, (scales.y.min - intercept) / slope) : 0;
   stroke(u, { width: 1.4, ...layer });
   ctx.beginPath();
-  const last = [u.valToPos(end, "x", true), u.valToPos(end * layer.slope, "y", true)];
-  ctx.moveTo(u.valToPos(start, "x", true), u.valToPos(start * layer.slope, "y", true));
+  const last = [u.valToPos(end, "x", true), u.valToPos(at(end), "y", true)];
+  ctx.moveTo(u.valToPos(start, "x", true), u.valToPos(at(start), "y", true));
   ctx.lineTo(...last);
   ctx.stroke();
   const above = last[1] <= bbox.top + 2;
   if (!layer.label) return;
   const part = layer.along ?? 1;
-  const [x, y] = [u.valToPos(start + (end - start) * part, "x", true), u.valToPos((start + (end - start) * part) * layer.slope, "y", true)];
+  const [x, y] = [u.valToPos(start + (end - start) * part, "x", true), u.valToPos(at(start + (end - start) * part), "y", true)];
   if (part < 1) label(u, layer.label, x + 9 * px(), y + 11 * px(), layer.text ?? layer.colour);
   else label(u, layer.label, x - 10 * px(), y + (above ? 14 : -12) * px(), layer.text ?? layer.colour, "right");
 }

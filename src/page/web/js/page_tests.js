@@ -11,7 +11,7 @@ import { TestTable } from "./test_table.js";
 let view = "table";
 
 export async function show(main) {
-  const { tests, running, record_bytes: most } = await get("/api/tests");
+  let { tests, running, record_bytes: most } = await get("/api/tests");
   const badge = document.getElementById("running-count");
   badge.hidden = running.length === 0;
   badge.textContent = String(running.length);
@@ -40,13 +40,20 @@ export async function show(main) {
       fill(list, small.node);
     }
   };
-  const filters = new Filters(tests, draw);
+  let filters = new Filters(tests, draw);
+  const filterRoom = el("div", {}, tests.length ? filters.node : null);
+  const renew = async () => {
+    ({ tests, running } = await get("/api/tests"));
+    filters = new Filters(tests, draw);
+    fill(filterRoom, tests.length ? filters.node : null);
+    draw();
+  };
   const switched = segments("Show as", [["table", "table"], ["paths", "stress paths"]], view, (value) => {
     view = value;
     draw();
   });
   fill(main, el("div", { class: "stack" }, takeNotice(), el("div", { class: "head" }, el("h1", { tabindex: -1 }, "Tests"), el("div", { class: "row" }, compare, switched)),
-    dropZone(main, most), tests.length ? filters.node : null, count, list));
+    dropZone(main, most, renew), filterRoom, count, list));
   draw();
   return { title: "Tests", end: () => small?.end() };
 }

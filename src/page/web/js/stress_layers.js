@@ -9,8 +9,11 @@ const known = (at) => at && typeof at.q_kPa === "number" && typeof at.p_eff_kPa 
 export function lines(collapse, view, total) {
   if (total) return [];
   const layers = [];
-  if (collapse.limit_stress_ratio)
-    layers.push({ kind: "ray", slope: slopeOn(collapse.limit_stress_ratio, view), colour: "ink", label: `M ${fixed(collapse.limit_stress_ratio, 2)}` });
+  if (collapse.limit_stress_ratio) {
+    const slope = slopeOn(collapse.limit_stress_ratio, view);
+    const [x, y] = onAxes({ p_eff_kPa: 0, q_kPa: collapse.limit_intercept_kPa ?? 0, pore_pressure_kPa: 0 }, view, false);
+    layers.push({ kind: "ray", slope, intercept: y - slope * x, colour: "ink", label: `M ${fixed(collapse.limit_stress_ratio, 2)}` });
+  }
   if (collapse.eta)
     layers.push({ kind: "ray", slope: slopeOn(collapse.eta, view), colour: "vermilion", text: "alarm", dash: [7, 4], along: 0.45, label: `η ${fixed(collapse.eta, 2)}` });
   return layers;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the report says of a test, in words and tables: verdict, criteria, checks, events, warnings, specimen.
 import { el } from "./dom.js";
-import { DASH, date, digits, fixed, percent, time, within, words } from "./format.js";
+import { DASH, assumption, date, digits, fixed, percent, time, within, words } from "./format.js";
 import { SHAPES, judgement, verdict } from "./kinds.js";
 
 const figure = (name, ...value) => el("div", { class: "figure" }, el("dt", {}, name), el("dd", {}, value));
@@ -63,7 +63,7 @@ export function eventsTable({ events }, goTo) {
 export function guessesPanel({ guesses }) {
   if (!guesses?.length) return null;
   return el("section", { class: "panel", "aria-label": "Assumed" }, el("h2", {}, "Assumed ", el("span", { class: "tag care" }, String(guesses.length))),
-    el("ul", {}, guesses.map((g) => el("li", {}, `${g.what}: assumed to be ${g.taken}${g.evidence ? ` (${g.evidence})` : ""}. ${g.remedy ?? ""}`))));
+    el("ul", {}, guesses.map((g) => el("li", {}, assumption(g)))));
 }
 
 export function warningsPanel({ warnings, collapse }) {
