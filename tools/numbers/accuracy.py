@@ -3,6 +3,11 @@
 from remade.benchmark import sampled
 
 
+def intake(triax) -> str:
+    shown = "--by kind --by language --by headings --by unit_style --by clock --by separator --by order --by blocks"
+    return sampled(triax, f"bench/intake/run.sh --seed 1000 --count 20000 {shown}", "bench/intake/run.sh --seed 1 --count 60 --by kind")
+
+
 def verdicts(triax) -> str:
     return sampled(triax, "bench/verdicts/run.sh --seeds 6", "bench/verdicts/run.sh --seeds 1 --every 12")
 

@@ -30,6 +30,10 @@ def latest(page: str, name: str, *patterns: str) -> str:
     return re.match(r".*, commit \w+", block)[0] + ":\n\n" + lines(block, *patterns)
 
 
+def intake(triax) -> str:
+    return latest("accuracy", "intake", "trait", "all")
+
+
 def replay(triax) -> str:
     return latest("speed", "replay", "sqlite3", "triax replay", "ratio", "peak memory")
 

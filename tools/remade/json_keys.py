@@ -9,7 +9,7 @@ from remade.program import Triax
 DOCUMENTS = {
     "test": ["simulate samples/programmes/icu_6.toml", "replay samples/records/csd_58.csv", "simulate samples/programmes/csu_26.toml",
              "simulate samples/programmes/control_drained_loose.toml", "simulate samples/programmes/perturbed.toml", "report 1 2 3 4"],
-    "tests": ["tests list"],
+    "tests": ["tests list", "tests set 2 labels.client=A"],
     "tests-show": ["tests show 1", "tests show 2"],
     "element": ["element samples/paths/icu_100.toml", "element samples/paths/cyclic.toml", "element samples/paths/load_beyond_limit.toml"],
     "materials": ["materials", "materials inl2/S28-general"],

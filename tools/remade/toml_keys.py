@@ -19,7 +19,7 @@ KINDS = [
     ("Programmes of a specimen of grains", "../how-to/grains.md", ["samples/grains/*.toml"], ["grains"]),
     ("Rigs", "../how-to/instruments.md", ["samples/rigs/*.toml"], ["rig", "check"]),
     ("Paths of a material point", "paths.md", ["samples/paths/*.toml"], ["element"]),
-    ("Dialects", "record-files.md", ["samples/dialects/*.toml", "lab/records/dialects/*.toml"],
+    ("Dialects", "foreign-tables.md", ["samples/dialects/*.toml", "lab/records/dialects/*.toml"],
      ["replay", "samples/dialects/my_lab_record.txt", "--dialect"]),
     ("Parameter sets", "../how-to/laws.md", ["samples/materials/*.toml", "lab/materials/*.toml"], ["materials", "--materials"]),
 ]

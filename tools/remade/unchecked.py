@@ -15,7 +15,7 @@ EXCEPTIONS = ROOT / "tools/remade/exceptions.toml"
 WHOLE = "<!-- Made by tools/"  # first line of a page that is made whole
 FENCED = re.compile(r"^( *)```.*\n(?P<body>(?:.*\n)*?)\1```$", re.M)
 INDENTED = re.compile(r"(?:\A|(?<=\n\n))(?P<body>(?:(?: {4}).*(?:\n|\Z)|\n(?= {4}))+)")
-COMMAND = re.compile(r"(?:\$ )?(?:build/\S+/)?(?:triax|tools/|\.ci/|bench/|cmake|apt-get|gfortran|mkdir|for )")
+COMMAND = re.compile(r"(?:\$ )?(?:build/\S+/)?(?:triax|tools/|\.ci/|bench/|cmake|apt-get|gfortran|mkdir|for |cp |sed |cat (?!>))")
 CELL = re.compile(r"[-+−±]?\d[\d  .,]*(?: ?(?:%|°|s|kPa|ns|mm|MB|kB|x))?")
 
 
