@@ -31,7 +31,7 @@ class Workbook {
   const std::vector<SheetEntry>& sheets() const { return sheets_; }
   /// The sheet of that name, as lab::matches_name compares. Throws BadInput with the names there
   /// are.
-  const SheetEntry& sheet(const std::string& name) const;
+  const SheetEntry& sheet(const std::string& wanted) const;
 
   /// Without line ends and tabs. Nothing where there is no such text.
   std::optional<std::string_view> shared_text(std::size_t index) const;
