@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lab/ags/ags_data_type.hpp"
+#include "lab/base/text.hpp"
 #include "lab/results/test_type.hpp"
 #include "src/study/handover/ags_codes.hpp"
 #include "src/study/handover/ags_delivery.hpp"

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/rig/recorded.hpp"
 
 using namespace triax::lab;
 

@@ -80,8 +80,9 @@ TEST_CASE("factor_to_canonical: converts to kPa, mm, mm2, mm3, kN, s, degC and p
     for (const UnitName* name : find_unit_names(unit))
       if (const auto found = factor_to_canonical(quantity_of(quantity), *name))
         CHECK(*found == Approx(factor).epsilon(1e-12));
-    CHECK(std::ranges::any_of(find_unit_names(unit), [&](const UnitName* name) {
-      return factor_to_canonical(quantity_of(quantity), *name).has_value();
+    const auto& named = quantity_of(quantity);
+    CHECK(std::ranges::any_of(find_unit_names(unit), [&named](const UnitName* name) {
+      return factor_to_canonical(named, *name).has_value();
     }));
   }
   CHECK_FALSE(factor_to_canonical(quantity_of("pore_pressure"), unit_of("mm")));
