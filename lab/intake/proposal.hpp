@@ -18,7 +18,7 @@
 namespace triax::lab {
 
 /// Something that the file does not decide.
-struct Question {
+struct TableQuestion {
   enum class About {
     headings,     ///< the table has none
     unit,         ///< of a column
@@ -42,7 +42,7 @@ struct Proposal {
   std::vector<LabelValue> labels;
   const Software* software = nullptr;
   const TestType* type = nullptr;  ///< by a label
-  std::vector<Question> questions;
+  std::vector<TableQuestion> questions;
   bool are_columns_named = false;  ///< by the user, of a table without headings
   bool is_reversed = false;        ///< the last reading is in the first row
   /// Rows of the sample with which a test begins; more than one if several tests follow each other.

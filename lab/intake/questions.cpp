@@ -14,7 +14,7 @@
 namespace triax::lab {
 namespace {
 
-using About = Question::About;
+using About = TableQuestion::About;
 
 bool is_unused(const ColumnReading& reading) {
   return !reading.quantity || reading.quantity->dimension == "any" ||
@@ -49,7 +49,7 @@ class Questions {
  public:
   explicit Questions(const Proposal& proposal) : p_(proposal) {}
 
-  std::vector<Question> all() {
+  std::vector<TableQuestion> all() {
     if (p_.structure.heading_lines.empty() && !p_.are_columns_named) {
       ask(About::headings, 0, "headings", "names of the columns by their place: column = 1");
       return std::move(out_);
@@ -207,7 +207,7 @@ class Questions {
   }
 
   const Proposal& p_;
-  std::vector<Question> out_;
+  std::vector<TableQuestion> out_;
 };
 
 }  // namespace
@@ -227,6 +227,8 @@ bool is_without_pore_pressure(const Proposal& proposal) {
   return std::ranges::none_of(kPore, [&](const char* name) { return proposal.has(name); });
 }
 
-std::vector<Question> find_questions(const Proposal& proposal) { return Questions(proposal).all(); }
+std::vector<TableQuestion> find_questions(const Proposal& proposal) {
+  return Questions(proposal).all();
+}
 
 }  // namespace triax::lab

@@ -9,7 +9,7 @@ namespace triax::lab {
 /// The facts that a result depends on and the file does not decide: units and signs of columns that
 /// nothing states, day and month, dimensions of the specimen and pressures that no column or label
 /// has.
-std::vector<Question> find_questions(const Proposal& proposal);
+std::vector<TableQuestion> find_questions(const Proposal& proposal);
 
 /// Whether no column is a pore pressure, an effective stress or a volume: a test in total stresses,
 /// or a drained one.

@@ -132,13 +132,13 @@ class Layout {
 
   void refuse_questions() const {
     std::vector<std::string> open;
-    for (const Question& question : p_.questions)
+    for (const TableQuestion& question : p_.questions)
       if (must_be_answered(question)) open.push_back(question.text);
     if (!open.empty()) refuse("the file does not decide: " + joined(open, "; "));
   }
 
-  bool must_be_answered(const Question& question) const {
-    using enum Question::About;
+  bool must_be_answered(const TableQuestion& question) const {
+    using enum TableQuestion::About;
     switch (question.about) {
       case headings:
       case unit:
@@ -243,8 +243,8 @@ class Layout {
   }
 
   void note_definitions() {
-    for (const Question& question : p_.questions)
-      if (question.about == Question::About::definitions)
+    for (const TableQuestion& question : p_.questions)
+      if (question.about == TableQuestion::About::definitions)
         findings_.note(
             "definitions", out_.heading_line,
             "headings of p' or q: the readings are s' = (σ1′ + σ3′)/2 or t = (σ1 − σ3)/2, "

@@ -289,8 +289,8 @@ bool repeats_headings(std::string_view line, Separator separator) {
 bool has_other_definitions(ByteSource& source) {
   try {
     const std::vector<Proposal> proposals = propose(source);
-    return std::ranges::any_of(proposals.front().questions, [](const Question& question) {
-      return question.about == Question::About::definitions;
+    return std::ranges::any_of(proposals.front().questions, [](const TableQuestion& question) {
+      return question.about == TableQuestion::About::definitions;
     });
   } catch (const BadInput&) {
     return false;

@@ -81,8 +81,8 @@ void apply_choice(const ColumnChoice& choice, bool is_number, lab::ColumnMeaning
 }
 
 /// Questions that the choices answer although the table does not.
-bool is_answered(const lab::Question& question, const ImportChoices& choices) {
-  using enum lab::Question::About;
+bool is_answered(const lab::TableQuestion& question, const ImportChoices& choices) {
+  using enum lab::TableQuestion::About;
   const auto column =
       std::ranges::find(choices.columns, question.position, &ColumnChoice::position);
   const bool has_column = column != choices.columns.end();
@@ -256,7 +256,8 @@ lab::Proposal apply_choices(const lab::Proposal& proposal, const ImportChoices& 
   }
   out.are_columns_named = are_all_named;
   out.questions = lab::find_questions(out);
-  std::erase_if(out.questions, [&](const lab::Question& one) { return is_answered(one, choices); });
+  std::erase_if(out.questions,
+                [&](const lab::TableQuestion& one) { return is_answered(one, choices); });
   return out;
 }
 

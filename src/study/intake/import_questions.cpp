@@ -48,23 +48,23 @@ bool is_programme_open(const lab::Proposal& proposal, const ImportChoices& choic
 
 std::optional<ImportQuestion> question_for(const lab::Proposal& proposal,
                                            const ImportChoices& choices,
-                                           const lab::Question& question) {
+                                           const lab::TableQuestion& question) {
   const std::size_t column = question.position;
   switch (question.about) {
-    case lab::Question::About::unit:
+    case lab::TableQuestion::About::unit:
       if (auto factor = factor_question(choices, column)) return factor;
       return unit_question(proposal, choices, column);
-    case lab::Question::About::sign:
+    case lab::TableQuestion::About::sign:
       return sign_question(choices, column);
-    case lab::Question::About::meaning:
+    case lab::TableQuestion::About::meaning:
       return quantity_question(proposal, choices, column);
-    case lab::Question::About::definitions:
+    case lab::TableQuestion::About::definitions:
       return definitions_question(proposal);
-    case lab::Question::About::date_order:
+    case lab::TableQuestion::About::date_order:
       return date_order_question(proposal, choices, column);
-    case lab::Question::About::value:
+    case lab::TableQuestion::About::value:
       return value_question(proposal, choices, question.text);
-    case lab::Question::About::headings:
+    case lab::TableQuestion::About::headings:
       break;
   }
   return std::nullopt;
@@ -76,8 +76,8 @@ std::vector<ImportQuestion> open_questions(const lab::Proposal& proposal,
                                            const ImportChoices& choices) {
   const lab::Proposal chosen = apply_choices(proposal, choices);
   std::vector<ImportQuestion> out;
-  const auto is_headings = [](const lab::Question& one) {
-    return one.about == lab::Question::About::headings;
+  const auto is_headings = [](const lab::TableQuestion& one) {
+    return one.about == lab::TableQuestion::About::headings;
   };
   if (std::ranges::any_of(chosen.questions, is_headings)) {
     for (const ColumnChoice& column : choices.columns)
@@ -85,12 +85,12 @@ std::vector<ImportQuestion> open_questions(const lab::Proposal& proposal,
         out.push_back(quantity_question(proposal, choices, column.position));
     return out;
   }
-  for (const lab::Question& question : chosen.questions)
+  for (const lab::TableQuestion& question : chosen.questions)
     if (auto one = question_for(chosen, choices, question)) out.push_back(std::move(*one));
   for (const char* name : {"cell pressure", "height", "diameter"})
     if (is_value_open(chosen, choices, name) &&
         std::ranges::none_of(chosen.questions,
-                             [&](const lab::Question& one) { return one.text == name; }))
+                             [&](const lab::TableQuestion& one) { return one.text == name; }))
       out.push_back(value_question(chosen, choices, name));
   if (is_programme_open(chosen, choices)) out.push_back(programme_question());
   return out;

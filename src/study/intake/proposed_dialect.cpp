@@ -25,7 +25,7 @@ WrittenDialect proposed_dialect(const lab::Proposal& proposal, const std::string
     if (label.value)
       out.remarks.push_back(
           fmt::format("line {}: {} = {:g}", label.line, label.name, *label.value));
-  for (const lab::Question& question : proposal.questions)
+  for (const lab::TableQuestion& question : proposal.questions)
     out.remarks.push_back(fmt::format("? {}: {}", question.text, question.remedy));
   return out;
 }

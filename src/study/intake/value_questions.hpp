@@ -12,7 +12,7 @@ namespace triax::study {
 
 struct AskedValue {
   std::string_view key;   ///< of --set, or "back_pressure", which is a constant of the dialect
-  std::string_view name;  ///< of lab::Question; with underscores that of a label
+  std::string_view name;  ///< of lab::TableQuestion; with underscores that of a label
   std::string_view text;  ///< "height of the specimen"
   std::string_view unit;  ///< of the number: "mm"
   std::array<double, 4> usual;   ///< to offer

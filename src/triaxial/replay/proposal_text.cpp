@@ -38,8 +38,8 @@ const char* source_name(const lab::ColumnMeaning& meaning) {
 
 /// A question about the unit.
 bool is_asked(const Proposal& proposal, std::size_t position) {
-  return std::ranges::any_of(proposal.questions, [position](const lab::Question& question) {
-    return question.position == position && question.about == lab::Question::About::unit;
+  return std::ranges::any_of(proposal.questions, [position](const lab::TableQuestion& question) {
+    return question.position == position && question.about == lab::TableQuestion::About::unit;
   });
 }
 
@@ -48,8 +48,8 @@ std::string candidates_text(const Proposal& proposal, std::size_t i) {
   const lab::ColumnMeaning& meaning = proposal.meaning.columns[i];
   const std::size_t position = proposal.table.columns[i].position;
   const bool is_open = std::ranges::any_of(proposal.questions,
-                                           [position](const lab::Question& question) {
-                                             using About = lab::Question::About;
+                                           [position](const lab::TableQuestion& question) {
+                                             using About = lab::TableQuestion::About;
                                              return (question.position == position &&
                                                      question.about == About::meaning) ||
                                                     question.about == About::definitions;

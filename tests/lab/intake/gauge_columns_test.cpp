@@ -49,8 +49,8 @@ TEST_CASE("find_gauge_columns: the factor may be a column that does not change")
 TEST_CASE("find_gauge_columns: a missing factor is a question") {
   const Proposal proposal = proposal_of("x,y", kGauges);
   CHECK_FALSE(find_gauge_columns(proposal)[1].scale);
-  CHECK(std::ranges::any_of(proposal.questions, [](const Question& question) {
-    return question.about == Question::About::unit &&
+  CHECK(std::ranges::any_of(proposal.questions, [](const TableQuestion& question) {
+    return question.about == TableQuestion::About::unit &&
            question.text.starts_with("ring factor of Proving ring reading");
   }));
 }

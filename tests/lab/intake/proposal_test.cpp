@@ -23,7 +23,8 @@ std::string quantity_of(const Proposal& proposal, std::size_t column) {
 }
 
 bool asks(const Proposal& proposal, const std::string& text) {
-  return std::ranges::find(proposal.questions, text, &Question::text) != proposal.questions.end();
+  return std::ranges::find(proposal.questions, text, &TableQuestion::text) !=
+         proposal.questions.end();
 }
 
 double q_of(int i) { return 100 * std::tanh(0.2 * i); }
