@@ -11,6 +11,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/diggs/diggs_source.hpp"
+#include "lab/intake/text/table_sample.hpp"
 #include "lab/rig/sheet_record.hpp"
 
 namespace triax::lab {
@@ -36,10 +37,11 @@ TestsInFile tests_of(std::unique_ptr<ByteSource> file, const RecordOptions& opti
   std::unique_ptr<ByteSource> table;
   try {
     table = open_table();
+    tests.sample = std::make_shared<const TableSample>(read_sample(*table));
   } catch (const BadInput&) {
     return tests;  // reported by open_record()
   }
-  tests.tables = find_tests(*table, quiet_dialect(*table, options), extent);
+  tests.tables = find_tests(*table, *tests.sample, quiet_dialect(*table, options), extent);
   for (const TableTest& test : tests.tables) tests.names.push_back(test.name);
   return tests;
 }

@@ -63,6 +63,7 @@ struct RecordedRig::Impl {
        const std::string& metadata_file, const std::string& metadata)
       : source(std::move(bytes)),
         findings(header.warnings),
+        tests(options.tests),
         layout(recognise_table(*source, dialect_for(*source, options, findings), findings,
                                chosen_test(*source, options))),
         stage_numbers(layout.file),
@@ -112,6 +113,7 @@ struct RecordedRig::Impl {
   std::unique_ptr<ByteSource> source;
   RecordHeader header;
   Findings findings;
+  std::shared_ptr<const TestsInFile> tests;  ///< empty: not searched for
   TableLayout layout;
   StageNumbers stage_numbers;
   TimeLine time_line;
@@ -304,7 +306,9 @@ void RecordedRig::Impl::settle_drainage_by_columns(StageInfo& only) {
 /// it does between does not change that. Nothing otherwise.
 std::optional<std::vector<StageSummary>> RecordedRig::Impl::sample_of_undrained_test() {
   if (header.has(Quantity::volumetric_strain) || layout.is_reversed) return std::nullopt;
-  const TableSample sample = read_sample(*source);
+  const bool is_known = tests && tests->sample;
+  const TableSample own = is_known ? TableSample() : read_sample(*source);
+  const TableSample& sample = is_known ? *tests->sample : own;
   if (sample.whole) return std::nullopt;
   const SampleRows ends = sample_rows(sample, layout);
   auto summaries = stages_of(*ends.text, ends.layout);

@@ -16,6 +16,7 @@
 namespace triax::lab {
 
 struct DiggsDocument;
+struct TableSample;
 struct TestsInFile;
 
 struct RecordOptions {
@@ -59,6 +60,7 @@ struct TestsInFile {
   std::vector<std::string> names;
   std::shared_ptr<const DiggsDocument> document;  ///< of a DIGGS file
   std::vector<TableTest> tables;                  ///< of any other file
+  std::shared_ptr<const TableSample> sample{};    ///< of any other file that is a text
 };
 /// The tests of a DIGGS file, or of a table with several ("cells 1 to 3, 'Specimen 1'", "lines 6 to
 /// 41"); no names for a table with one, and for a file that open_record() cannot read. `options`

@@ -109,15 +109,24 @@ std::vector<TableTest> tests_of(ByteSource& source, const TableSample& sample,
 
 std::vector<TableTest> find_tests(ByteSource& source, const std::optional<Dialect>& forced,
                                   Extent extent) {
-  std::vector<TableTest> tables, tests;
   TableSample sample;
   try {
     sample = read_sample(source);
+  } catch (const BadInput&) {
+    return {};  // no text
+  }
+  return find_tests(source, sample, forced, extent);
+}
+
+std::vector<TableTest> find_tests(ByteSource& source, const TableSample& sample,
+                                  const std::optional<Dialect>& forced, Extent extent) {
+  std::vector<TableTest> tables, tests;
+  try {
     tables = find_tables(source, sample, forced);
   } catch (const SeveralTests&) {
     throw;
   } catch (const BadInput&) {
-    return {};  // no text
+    return {};
   }
   for (const TableTest& table : tables) {
     try {

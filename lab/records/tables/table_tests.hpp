@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lab/base/byte_source.hpp"
+#include "lab/intake/text/table_sample.hpp"
 #include "lab/records/dialect.hpp"
 #include "lab/records/table_layout.hpp"
 
@@ -21,6 +22,9 @@ enum class Extent {
 /// kMaxTables.
 std::vector<TableTest> find_tests(ByteSource& source, const std::optional<Dialect>& forced,
                                   Extent extent = Extent::sample);
+/// The same with read_sample() of the source.
+std::vector<TableTest> find_tests(ByteSource& source, const TableSample& sample,
+                                  const std::optional<Dialect>& forced, Extent extent);
 
 inline constexpr std::size_t kMaxTests = 500;   ///< below each other
 inline constexpr std::size_t kMaxTables = 100;  ///< side by side

@@ -12,8 +12,8 @@ lab::RecordOptions TestOfFile::options(lab::RecordOptions of_file) const {
 }
 
 std::vector<TestOfFile> tests_of(lab::TestsInFile tests) {
-  if (tests.names.empty()) return {TestOfFile()};
   const auto all = std::make_shared<const lab::TestsInFile>(std::move(tests));
+  if (all->names.empty()) return {{.all = all}};
   std::vector<TestOfFile> out;
   for (std::size_t number = 1; number <= all->names.size(); ++number) out.push_back({number, all});
   return out;
