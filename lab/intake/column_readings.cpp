@@ -34,10 +34,11 @@ double evidence_of(NameMatch how) {
   return 0;
 }
 
-constexpr double kUnnamed = -5;        ///< only the unit shows which quantities a column can be
-constexpr double kUnused = -7;         ///< a column that has a name, but is not used
-constexpr double kUnusedUnnamed = -2;  ///< a column without a name needs readings that prove it
-constexpr double kOpenSign = -0.3;     ///< the less usual of two usual signs
+constexpr double kUnnamed = -5;            ///< only the unit shows which quantities a column can be
+constexpr double kUnused = -7;             ///< a column that has a name, but is not used
+constexpr double kUnusedUnnamed = -2;      ///< a column without a name needs readings that prove it
+constexpr double kOpenSign = -0.3;         ///< the less usual of two usual signs
+constexpr double kAgainstSoftware = -1.5;  ///< against the sign of the software: readings decide
 constexpr std::size_t kMaxReadings = 24;
 constexpr double kFarBehind = 9;
 
@@ -103,7 +104,7 @@ bool is_name_in(const auto& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// Whether a hint about the sign is for this heading.
+/// True if a hint about the sign is for this heading.
 bool names_heading(const SignHint& hint, const std::string& heading) {
   const QString key = heading_key(repair_heading(heading));
   return std::ranges::any_of(hint.names, [&](const std::string& name) {
@@ -247,7 +248,8 @@ class Readings {
 
   void add_signs(ColumnReading reading) {
     const LexiconQuantity& quantity = *reading.quantity;
-    const auto usual = usual_sign(quantity, heading_);
+    const auto& of_software = column_.software_sign;
+    const auto usual = of_software ? of_software : usual_sign(quantity, heading_);
     const double evidence = reading.evidence;
     const bool can_be_negative =
         is_name_in(kSigned, quantity.name) || quantity.dimension == "pressure";
@@ -256,7 +258,7 @@ class Readings {
       if (usual.value_or(1) == 0)
         of_sign = sign == 1 ? 0 : kOpenSign;
       else if (sign != usual.value_or(1))
-        of_sign = kOtherSign;
+        of_sign = of_software ? kAgainstSoftware : kOtherSign;
       if (sign == -1 && !can_be_negative && usual.value_or(1) == 1) continue;
       reading.sign = sign;
       reading.evidence = evidence + of_sign + of_range(reading);
@@ -266,7 +268,7 @@ class Readings {
 
   /// Against values outside the usual range.
   double of_range(const ColumnReading& reading) const {
-    constexpr double kMost = 6, kSteep = 100;
+    constexpr double kMaxLoss = 6, kSteep = 100;
     const auto& usual = reading.quantity->usual;
     if (!usual) return 0;
     double low = HUGE_VAL, high = -HUGE_VAL;
@@ -277,13 +279,13 @@ class Readings {
       high = std::max(high, converted);
     }
     if (low > high || (low >= usual->first && high <= usual->second)) return 0;
-    // Of a quantity that is never 0 the factor counts, which may be that of another unit.
+    // For a quantity that is never 0 the factor counts, which may be that of another unit.
     const bool is_positive = usual->first > 0 && low > 0;
     const double outside =
         is_positive ? std::max(std::log(usual->first / low), std::log(high / usual->second))
                     : kSteep * std::max(usual->first - low, high - usual->second) /
                           (usual->second - usual->first);
-    return -std::min(kMost, is_positive ? 3 * outside : 2 * std::log(1 + outside));
+    return -std::min(kMaxLoss, is_positive ? 3 * outside : 2 * std::log(1 + outside));
   }
 
   const ColumnSample& column_;

@@ -17,6 +17,7 @@ struct ColumnSample {
   std::vector<double> values;         ///< of the sample's rows, NaN where there is none
   double half_unit = 0;               ///< half a unit of the last printed digit
   bool is_number = true;              ///< false for texts, dates and clocks
+  std::optional<int> software_sign;   ///< 1 or -1, of the software that wrote the file
 };
 
 enum class UnitSource {

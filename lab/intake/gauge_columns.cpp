@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "lab/intake/names/unit_names.hpp"
 
 namespace triax::lab {
@@ -68,7 +70,54 @@ std::optional<double> force_scale(const Proposal& proposal, const ColumnReading&
   return *factor->per_length * *length;
 }
 
+/// Displacement per division in the unit of its column, by the first and last row; nothing if a row
+/// is off by more than the rounding of the printed values.
+std::optional<double> displacement_per_division(const TableColumn& dial,
+                                                const TableColumn& displacement) {
+  constexpr double kRounding = 2;
+  const double slope = (displacement.last - displacement.first) / (dial.last - dial.first);
+  if (!std::isfinite(slope) || slope == 0) return std::nullopt;
+  const double rounding = displacement.sample.half_unit + std::fabs(slope) * dial.sample.half_unit;
+  for (std::size_t row = 0; row < dial.all.size(); ++row) {
+    const double off =
+        displacement.all[row] - displacement.first - slope * (dial.all[row] - dial.first);
+    if (std::fabs(off) > kRounding * rounding) return std::nullopt;
+  }
+  return slope;
+}
+
+/// With three digits: divisions are round, the quotient has the rounding of two printed values.
+double rounded(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(std::fabs(value))) - 2);
+  return std::round(value / unit) * unit;
+}
+
 }  // namespace
+
+void settle_dial_factor(Proposal& proposal) {
+  ColumnReading* dial = nullptr;
+  std::size_t dial_at = 0, displacement_at = 0;
+  const ColumnReading* displacement = nullptr;
+  for (std::size_t i = 0; i < proposal.meaning.columns.size(); ++i) {
+    ColumnReading& reading = proposal.meaning.columns[i].reading;
+    if (!reading.quantity) continue;
+    if (reading.quantity->name == "dial_reading" && reading.unit_source == UnitSource::none) {
+      dial = &reading;
+      dial_at = i;
+    } else if (reading.quantity->name == "axial_displacement") {
+      displacement = &reading;
+      displacement_at = i;
+    }
+  }
+  if (!dial || !displacement) return;
+  const auto& columns = proposal.table.columns;
+  const auto slope = displacement_per_division(columns[dial_at], columns[displacement_at]);
+  if (!slope) return;
+  dial->factor = rounded(std::fabs(*slope) * displacement->factor);
+  dial->sign = *slope < 0 ? -1 : 1;
+  dial->unit = fmt::format("{:g} mm", dial->factor);
+  dial->unit_source = UnitSource::identity;
+}
 
 std::vector<GaugeColumn> find_gauge_columns(const Proposal& proposal) {
   std::vector<GaugeColumn> out;

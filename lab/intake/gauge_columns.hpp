@@ -20,4 +20,8 @@ struct GaugeColumn {
 /// or a column that does not change; a dial has a unit of length.
 std::vector<GaugeColumn> find_gauge_columns(const Proposal& proposal);
 
+/// Gives a dial in divisions its factor (mm per division) if the file has the displacement that
+/// follows from it in all rows.
+void settle_dial_factor(Proposal& proposal);
+
 }  // namespace triax::lab

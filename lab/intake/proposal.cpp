@@ -11,6 +11,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
+#include "lab/intake/gauge_columns.hpp"
 #include "lab/intake/questions.hpp"
 #include "lab/intake/row_course.hpp"
 #include "lab/intake/stage_time.hpp"
@@ -70,52 +71,19 @@ void set_unit(ColumnReading& reading, const std::string& unit) {
     }
 }
 
-/// A dial in divisions beside the displacement that follows from it.
-void settle_dial(Proposal& proposal) {
-  constexpr double kRounding = 2;
-  ColumnReading* dial = nullptr;
-  const TableColumn *of_dial = nullptr, *of_displacement = nullptr;
-  double millimetres = 1;
-  for (std::size_t i = 0; i < proposal.table.columns.size(); ++i) {
-    ColumnReading& reading = proposal.meaning.columns[i].reading;
-    if (!reading.quantity) continue;
-    if (reading.quantity->name == "dial_reading" && reading.unit_source == UnitSource::none) {
-      dial = &reading;
-      of_dial = &proposal.table.columns[i];
-    } else if (reading.quantity->name == "axial_displacement") {
-      of_displacement = &proposal.table.columns[i];
-      millimetres = reading.factor;
-    }
-  }
-  if (!dial || !of_displacement || of_dial->last == of_dial->first) return;
-  const double per_division =
-      (of_displacement->last - of_displacement->first) / (of_dial->last - of_dial->first);
-  for (std::size_t row = 0; row < of_dial->all.size(); ++row) {
-    const double off = of_displacement->all[row] - of_displacement->first -
-                       per_division * (of_dial->all[row] - of_dial->first);
-    if (std::fabs(off) > kRounding * (of_displacement->sample.half_unit +
-                                      std::fabs(per_division) * of_dial->sample.half_unit))
-      return;
-  }
-  // Divisions are round: the quotient has the rounding of two printed values.
-  constexpr int kDigits = 3;
-  dial->factor = std::stod(fmt::format("{:.{}g}", std::fabs(per_division) * millimetres, kDigits));
-  dial->sign = per_division < 0 ? -1 : 1;
-  dial->unit = fmt::format("{:g} mm", dial->factor);
-  dial->unit_source = UnitSource::identity;
+const SoftwareColumn* software_column(const Proposal& proposal, std::size_t i) {
+  const std::string& heading = proposal.table.columns[i].heading;
+  return proposal.software ? find_software_column(*proposal.software, heading) : nullptr;
 }
 
-void apply_software(Proposal& proposal) {
-  if (!proposal.software) return;
+/// Sets the units of the software for columns whose file states none.
+void set_software_units(Proposal& proposal) {
   for (std::size_t i = 0; i < proposal.table.columns.size(); ++i) {
-    const TableColumn& column = proposal.table.columns[i];
-    const auto* known = find_software_column(*proposal.software, column.heading);
-    if (!known) continue;
-    ColumnReading& reading = proposal.meaning.columns[i].reading;
-    if (known->sign) reading.sign = *known->sign;
-    if (known->unit.empty()) continue;
-    set_unit(reading, known->unit);
-    if (reading.unit_source == UnitSource::format) proposal.meaning.columns[i].other.reset();
+    const SoftwareColumn* const known = software_column(proposal, i);
+    if (!known || known->unit.empty()) continue;
+    ColumnMeaning& meaning = proposal.meaning.columns[i];
+    set_unit(meaning.reading, known->unit);
+    if (meaning.reading.unit_source == UnitSource::format) meaning.other.reset();
   }
 }
 
@@ -134,12 +102,19 @@ Meaning meaning_of(const std::vector<ColumnSample>& samples, const Proposal& pro
 
 void decide_meaning(Proposal& proposal) {
   std::vector<ColumnSample> samples;
-  for (const TableColumn& column : proposal.table.columns) samples.push_back(column.sample);
+  for (std::size_t i = 0; i < proposal.table.columns.size(); ++i) {
+    samples.push_back(proposal.table.columns[i].sample);
+    if (const SoftwareColumn* const known = software_column(proposal, i))
+      samples.back().software_sign = known->sign;
+  }
   proposal.meaning = meaning_of(samples, proposal);
-  const auto column = find_stage_time(proposal.table, proposal.meaning);
-  if (!column) return;
-  samples[*column] = stage_time_sample(samples[*column], proposal.meaning.columns[*column].reading);
-  proposal.meaning = meaning_of(samples, proposal);
+  if (const auto column = find_stage_time(proposal.table, proposal.meaning)) {
+    samples[*column] =
+        stage_time_sample(samples[*column], proposal.meaning.columns[*column].reading);
+    proposal.meaning = meaning_of(samples, proposal);
+  }
+  set_software_units(proposal);
+  settle_dial_factor(proposal);
 }
 
 Proposal propose_block(const TableSample& sample, const TableStructure& structure,
@@ -150,12 +125,10 @@ Proposal propose_block(const TableSample& sample, const TableStructure& structur
   out.block = number;
   out.labels = labels_above(structure, number);
   out.table = read_columns(sample, structure, block);
-  decide_meaning(out);
   std::string head;
   for (const std::string& line : structure.preamble) head += line + '\n';
   out.software = find_software(structure.headings, head);
-  apply_software(out);
-  settle_dial(out);
+  decide_meaning(out);
   for (const LabelValue& label : out.labels)
     if (label.name == "test_type" && !out.type) out.type = find_test_type(label.text);
   const RowCourse course = find_course(out.table, out.meaning);

@@ -117,6 +117,30 @@ TEST_CASE("propose: units and codes at the edges", "[intake]") {
   CHECK(times.table.missing.empty());
 }
 
+TEST_CASE("propose: units of the software hold for reversed rows too", "[intake]") {
+  std::string text = "LabVIEW Measurement\nDecimal_Separator,.\n***End_of_Header***\n";
+  text += table("X_Value,Axial strain (%),q (kPa),p' (kPa)", [](int i) {
+    return fmt::format("{},{:.2f},{:.1f},{:.1f}", 60 * (19 - i), 0.5 * (19 - i), q_of(19 - i),
+                       150 + q_of(19 - i) / 3);
+  });
+  const Proposal found = proposal_of(text);
+  CHECK(found.is_reversed);
+  CHECK(found.meaning.of("time")->reading.unit_source == UnitSource::format);
+  CHECK(found.questions.empty());
+}
+
+TEST_CASE("propose: readings are stronger than the sign of the software", "[intake]") {
+  const auto text = [](int sign) {
+    return table("Time (s),Action,Action_Changed,VerticalDeformation_mm,Deviator_kPa,Trajectory",
+                 [sign](int i) {
+                   return fmt::format("{},Start,True,{:.2f},{:.1f},CTC", 60 * i, sign * 0.4 * i,
+                                      q_of(i));
+                 });
+  };
+  CHECK(proposal_of(text(1)).meaning.of("axial_displacement")->reading.sign == 1);
+  CHECK(proposal_of(text(-1)).meaning.of("axial_displacement")->reading.sign == -1);
+}
+
 TEST_CASE("propose: a dial in divisions has the factor of its displacement", "[intake]") {
   const Proposal found =
       proposal_of(table("Dial reading,Axial displacement (mm),q (kPa)", [](int i) {
