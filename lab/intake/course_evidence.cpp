@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lab/base/statistics.hpp"
+#include "lab/intake/series_math.hpp"
 
 namespace triax::lab {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What must be true of the readings of a triaxial test, whatever its columns are called: relations
+// Facts that hold for the readings of a triaxial test, whatever its columns are called: relations
 // between stresses, strains and dimensions, and the course of single quantities. They decide
 // between the quantities that a heading can mean.
 #include <optional>
@@ -23,19 +23,22 @@ struct SpecimenValues {
   std::optional<double> diameter_mm;
 };
 
+struct Identity;
+/// How much the readings speak for an identity, as a difference of log-likelihoods: 3 ln(0.1 s / r)
+/// with the deviation r (root mean square, at least the rounding of the printed digits) and the
+/// variation s of the terms, between a lower and an upper bound of the identity. 0 if nothing
+/// varies beyond rounding, or with fewer than three complete rows.
+using EvidenceFunction = double(const Identity&, std::span<const Series* const> series,
+                                const SpecimenValues& specimen);
+
 /// A relation with the quantities that it needs.
 struct Identity {
   std::string text;                     ///< "q = σ1 − σ3"
   std::vector<std::string> quantities;  ///< names of the lexicon
   std::vector<std::string> unless;  ///< not evaluated if one of these is known: a stronger one is
-  /// How much the readings speak for it, as a difference of log-likelihoods: 3 ln(0.1 s / r) with
-  /// the deviation r (root mean square, at least the rounding of the printed digits) and the
-  /// variation s of the terms, between a lower and an upper bound of the identity. 0 if nothing
-  /// varies beyond rounding, or with fewer than three complete rows.
-  double (*evidence)(const Identity&, std::span<const Series* const> series,
-                     const SpecimenValues& specimen) = nullptr;
+  EvidenceFunction* evidence = nullptr;
 
-  // Of the relation, for `evidence`.
+  // Parameters of the relation, for `evidence`.
   std::vector<double> coefficients{};  ///< of a sum of the quantities that is 0 or constant
   bool is_constant = false;            ///< the sum is any constant
   double lowest = -4, highest = 8;     ///< bounds of the evidence
