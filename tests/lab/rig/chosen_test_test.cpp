@@ -9,8 +9,10 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/rig/recorded.hpp"
+#include "tests/lab/rig/rig_text.hpp"
 
 using namespace triax::lab;
+using triax::lab::test::all_readings;
 
 namespace {
 
@@ -31,13 +33,6 @@ std::unique_ptr<RecordedRig> open_table(const std::string& text, std::size_t tes
   return open_record(open_memory("m.csv", text), options);
 }
 
-std::vector<Reading> drain(RecordedRig& rig) {
-  std::vector<Reading> out;
-  Reading reading;
-  while (rig.next(reading)) out.push_back(reading);
-  return out;
-}
-
 }  // namespace
 
 TEST_CASE("RecordedRig: each of several tests is a record with its own digest") {
@@ -46,7 +41,7 @@ TEST_CASE("RecordedRig: each of several tests is a record with its own digest") 
   const std::vector<std::size_t> counts{20, 15};
   for (std::size_t test = 1; test <= 2; ++test) {
     const auto rig = open_table(text, test);
-    CHECK(drain(*rig).size() == counts[test - 1]);
+    CHECK(all_readings(*rig).size() == counts[test - 1]);
     CHECK(rig->header().name.starts_with("m, lines "));
     digests.insert(rig->header().digest);
   }
@@ -56,7 +51,7 @@ TEST_CASE("RecordedRig: each of several tests is a record with its own digest") 
 
 TEST_CASE("RecordedRig: a test that is not chosen ends where another begins") {
   const auto rig = open_table(kTable + undrained(20, 300) + undrained(15, 400), 0);
-  CHECK_THROWS_AS(drain(*rig), SeveralTests);
+  CHECK_THROWS_AS(all_readings(*rig), SeveralTests);
 }
 
 TEST_CASE("tests_in: the tests of a file that is not on the disk") {
@@ -74,7 +69,7 @@ TEST_CASE("tests_in: the tests of a file that is not on the disk") {
 
 TEST_CASE("RecordedRig: test 1 of a file with one test is the whole file") {
   const auto rig = open_table(kTable + undrained(20, 300), 1);
-  CHECK(drain(*rig).size() == 20);
+  CHECK(all_readings(*rig).size() == 20);
   CHECK(rig->header().name == "m");
 }
 
@@ -100,7 +95,7 @@ TEST_CASE("RecordedRig: words of a stage column are names of stages") {
   CHECK(header.stages[1].role == StageRole::consolidation);
   CHECK(header.stages[2].name == "Scherphase");
   CHECK(header.stages[2].role == StageRole::shear);
-  const auto readings = drain(*rig);
+  const auto readings = all_readings(*rig);
   REQUIRE(readings.size() == 60);
   CHECK(readings[19].stage == 1);
   CHECK(readings[59].stage == 3);
@@ -111,7 +106,7 @@ TEST_CASE("RecordedRig: an unconfined test needs no cell pressure") {
   for (int i = 0; i < 20; ++i) text += fmt::format("{:.1f},{:.1f}\n", 0.5 * i, 80.0 * i / (i + 3));
   const auto rig = open_table(text, 0);
   CHECK(rig->header().is_unconfined());
-  const auto readings = drain(*rig);
+  const auto readings = all_readings(*rig);
   REQUIRE(readings.size() == 20);
   CHECK(readings[10][Quantity::cell_pressure] == 0);
 }

@@ -125,7 +125,7 @@ TEST_CASE("Drained table: softening at the peak is a failure, for every type", "
   }
 }
 
-TEST_CASE("Drained table: a type that contradicts the readings is told", "[kinds]") {
+TEST_CASE("Drained table: a type that contradicts the readings is reported", "[kinds]") {
   for (const char* type : {"CIUC", "CAUC", "CK0U"}) {
     const auto [header, s] = replayed(drained_table(), {{"test.programme", type}});
     CHECK(header.stages.front().drainage == Drainage::open);

@@ -8,6 +8,7 @@
 
 #include "lab/base/bad_input.hpp"
 #include "lab/base/digest.hpp"
+#include "tests/lab/rig/rig_text.hpp"
 #include "tests/lab/workbook/made_workbook.hpp"
 
 using namespace triax::lab;
@@ -27,29 +28,22 @@ std::string own_rows() {
          cell("101,5") + "</row>";
 }
 
-std::vector<Reading> readings(RecordedRig& rig) {
-  std::vector<Reading> all;
-  Reading reading;
-  while (rig.next(reading)) all.push_back(reading);
-  return all;
-}
-
 }  // namespace
 
 TEST_CASE("a sheet is a record: the first that is recognised, numbers to the last bit") {
   const auto parts = workbook(
       {{"Notes", sheet("<row>" + cell("nothing") + "</row>")}, {"Data", sheet(own_rows())}});
   const auto rig = open_record(source_of(parts), {});
-  const auto all = readings(*rig);
+  const auto all = all_readings(*rig);
   REQUIRE(all.size() == 2);
   CHECK(all[1][Quantity::axial_strain] == 0.1);
   CHECK(all[1][Quantity::mean_effective_stress] == 101.5e3);
   CHECK(all[1].line == 3);  // the row of the sheet
   CHECK(rig->header().digest == sha256(*source_of(parts)));
-  bool told = false;
+  bool names_sheet = false;
   for (const auto& warning : rig->header().warnings)
-    told |= warning.text.find("sheet 'Data'") != std::string::npos;
-  CHECK(told);
+    names_sheet |= warning.text.find("sheet 'Data'") != std::string::npos;
+  CHECK(names_sheet);
 }
 
 TEST_CASE("cells that are shown in per cent mean what is shown, under either heading") {
@@ -59,7 +53,7 @@ TEST_CASE("cells that are shown in per cent mean what is shown, under either hea
                       "</row><row><c s=\"5\"><v>0</v></c><c><v>0</v></c><c><v>100</v></c></row>"
                       "<row><c s=\"5\"><v>0.05</v></c><c><v>5</v></c><c><v>101</v></c></row>";
     const auto rig = open_record(source_of(workbook({{"Data", sheet(rows)}})), {});
-    const auto all = readings(*rig);
+    const auto all = all_readings(*rig);
     REQUIRE(all.size() == 2);
     CHECK(all[1][Quantity::axial_strain] == Approx(0.05));
   }
@@ -77,7 +71,7 @@ TEST_CASE("a cell with an error under our own headings is refused by its row") {
   CHECK_THROWS_WITH(
       [&] {
         const auto rig = open_record(source_of(workbook({{"Data", sheet(rows)}})), {});
-        readings(*rig);
+        all_readings(*rig);
       }(),
       Catch::Contains("m.xlsx:4: column 'deviator_stress_kPa' has '#N/A'"));
 }
@@ -117,7 +111,7 @@ TEST_CASE("a workbook of others reads as its sheet saved as CSV", "[of-others]")
       .sets = {{"specimen.height_mm", "100"}, {"specimen.diameter_mm", "50"}}};
   const auto sheet = open_record((folder / "Triax-CU_01.xlsx").string(), options);
   const auto csv = open_record((folder / "Triax-CU_01__Versuch01.csv").string(), options);
-  const auto a = readings(*sheet), b = readings(*csv);
+  const auto a = all_readings(*sheet), b = all_readings(*csv);
   REQUIRE(a.size() == b.size());
   REQUIRE(a.size() > 100);
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -137,7 +131,7 @@ TEST_CASE("Record of a text: the encoding is found, reported and can be given") 
   std::ofstream(path) << dialect;
   const std::string rows = "\xC4\xE5\xF4\xEE\xF0\xEC\xE0\xF6\xE8\xFF;q;p\n0,0;0;100\n0,1;5;101,5\n";
   const auto rig = open_record(open_memory("m.csv", rows), {.dialect = path.string()});
-  CHECK(readings(*rig).size() == 2);
+  CHECK(all_readings(*rig).size() == 2);
   CHECK(std::ranges::any_of(rig->header().warnings, [](const Warning& warning) {
     return warning.text == "not UTF-8: read as Windows-1251";
   }));
@@ -157,7 +151,7 @@ TEST_CASE("Record of a text: UTF-16 and lines that end with CR are read") {
   for (const char c : text) wide.append({c, '\0'});
   for (const std::string& bytes : {text, wide}) {
     const auto rig = open_record(open_memory("m.csv", bytes), {});
-    const auto all = readings(*rig);
+    const auto all = all_readings(*rig);
     REQUIRE(all.size() == 2);
     CHECK(all[1].si[index(Quantity::mean_effective_stress)] == 101500);
     const auto is_reported = std::ranges::any_of(rig->header().warnings, [](const Warning& one) {
