@@ -18,7 +18,7 @@ struct RevisedValue {
   std::string after;   ///< empty: as first stored
 };
 
-/// What was changed, and what the test came to before.
+/// The changes, and the results of the test before them.
 struct Revision {
   std::int64_t number = 2;  ///< the test as first stored is revision 1
   std::string revised_at;   ///< ISO 8601, UTC

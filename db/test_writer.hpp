@@ -16,7 +16,7 @@ namespace triax::db {
 /// that was read before (RecordHeader::digest) is one warning more. Returns the id of the test.
 std::int64_t insert_test(SQLite::Database& database, const lab::RecordHeader& header,
                          const std::string& stored_at);
-/// What a correction can change of them: name, programme, specimen, stages, notes and assumptions.
+/// The parts that a correction can change: name, programme, specimen, stages, notes, assumptions.
 void replace_header(SQLite::Database& database, std::int64_t test_id,
                     const lab::RecordHeader& header);
 void insert_sweep(SQLite::Database& database, std::int64_t test_id, const SweepMembership& sweep);

@@ -36,7 +36,7 @@ bool has_lease(SQLite::Database& database, std::int64_t id) {
   return select.executeStep();
 }
 
-/// What an older triax stored of a test, as the start of a replay.
+/// The start of a replay, from a test that an older triax stored.
 FirstHeader first_of_stored(const StoredTest& test) {
   FirstHeader first;
   first.header.programme = test.header.programme;

@@ -33,7 +33,7 @@ class Correction {
   const FirstHeader& first() const { return first_; }
   /// Stages that the readings or the header have, ascending.
   const std::vector<int>& stages() const { return stages_; }
-  /// Whether that is all that a replay needs.
+  /// True if that is all that a replay needs.
   bool is_exact() const { return is_exact_; }
   /// The readings, as they are while this object writes.
   const Store& readings() const { return *reader_; }

@@ -29,7 +29,7 @@ class ByteSource {
   /// Passes over `count` bytes, or the rest if there are fewer. Reads them unless the medium can do
   /// without.
   virtual void skip(std::uint64_t count);
-  /// Whether skip() takes no time.
+  /// True if skip() takes no time.
   virtual bool is_seekable() const { return false; }
 };
 

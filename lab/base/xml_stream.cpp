@@ -12,10 +12,10 @@ namespace triax::lab {
 namespace {
 
 constexpr std::size_t kXmlBlock = std::size_t{1} << 16;
-constexpr long long kLongestPiece = 8LL << 20;
+constexpr long long kMaxPiece_bytes = 8LL << 20;
 constexpr std::string_view kEndOfRow = "</row>";
-/// A row that is longer goes through the parser as it comes.
-constexpr std::size_t kLongestHeldRow = std::size_t{1} << 20;
+/// A longer row is parsed in pieces.
+constexpr std::size_t kMaxHeldRow_bytes = std::size_t{1} << 20;
 
 /// Returns the index of the byte that the parser is at, or -1. Expat 2.9 deprecates the older
 /// functions.
@@ -50,7 +50,7 @@ std::string_view XmlAttributes::operator[](std::string_view name) const {
   return {};
 }
 
-/// expat is C: nothing may be thrown through it, so that what a listener throws waits here.
+/// Expat is written in C: an exception of the listener is kept until expat has returned.
 struct XmlStream::Impl {
   Impl(XmlInput from, XmlListener listening)
       : input(std::move(from)), listener(std::move(listening)) {}
@@ -70,7 +70,7 @@ struct XmlStream::Impl {
   static void on_start(void* self, const char* element, const char** pairs) {
     Impl& me = of(self);
     me.guarded([&] {
-      if (++me.depth > kDeepest) me.fail("its XML is nested too deep for a " + me.input.kind);
+      if (++me.depth > kMaxDepth) me.fail("its XML is nested too deep for a " + me.input.kind);
       if (me.listener.start) me.listener.start(local_name(element), XmlAttributes(pairs));
     });
   }
@@ -98,8 +98,8 @@ struct XmlStream::Impl {
   }
 
   void feed(std::string_view bytes, bool last);
-  /// Past what the listener takes and the parser is fed; what begins a row and does not end it is
-  /// left where more is to come.
+  /// Removes the bytes that the listener or the parser has taken. A row without its end is left
+  /// until more bytes are read.
   void take_rows(std::string_view& bytes);
   bool behind_row() const { return row_ended_at == fed; }
   std::int64_t line() const {
@@ -142,7 +142,7 @@ void XmlStream::Impl::feed(std::string_view bytes, bool last) {
     fail(std::string("its XML is broken (") + XML_ErrorString(XML_GetErrorCode(parser)) + "); " +
          input.remedy);
   const auto at = byte_index(parser);
-  if (at >= 0 && fed - at > kLongestPiece)
+  if (at >= 0 && fed - at > kMaxPiece_bytes)
     fail("its XML has a text of more than 8 MB, too large for a " + input.kind);
 }
 
@@ -151,7 +151,7 @@ void XmlStream::Impl::take_rows(std::string_view& bytes) {
     if (behind_row()) bytes.remove_prefix(listener.rows(bytes));
     const auto end = bytes.find(kEndOfRow);
     if (end == std::string_view::npos) {
-      if (behind_row() && bytes.starts_with('<') && bytes.size() < kLongestHeldRow) return;
+      if (behind_row() && bytes.starts_with('<') && bytes.size() < kMaxHeldRow_bytes) return;
       return feed(std::exchange(bytes, {}), false);
     }
     feed(bytes.substr(0, end + kEndOfRow.size()), false);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// XML as it comes, in constant memory (expat).
+// A parser for XML in constant memory (expat).
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -30,13 +30,13 @@ struct XmlListener {
   std::function<void(std::string_view name, XmlAttributes)> start;
   std::function<void(std::string_view name)> end;
   std::function<void(std::string_view text)> text;  ///< in pieces
-  /// Shown the bytes behind the end of an element called `row`, may take whole elements from their
-  /// beginning by itself, and says how many bytes those were; of them nothing else is told. Empty:
-  /// nobody does.
+  /// Receives the bytes behind the end of an element called `row`. It may parse whole elements at
+  /// their beginning itself and returns the number of those bytes, which the parser then skips.
+  /// Empty: the parser takes all bytes.
   std::function<std::size_t(std::string_view bytes)> rows{};
 };
 
-/// Where the bytes come from, and how messages speak of them.
+/// The source of the bytes, and its name in messages.
 struct XmlInput {
   std::string name;                                  ///< of the file
   std::function<std::size_t(std::span<char>)> read;  ///< fills the front; 0 at the end
@@ -45,7 +45,7 @@ struct XmlInput {
   bool has_lines = false;  ///< the bytes are the file: messages name lines
 };
 
-/// Tells XML to a listener, a block at a time.
+/// Parses XML block by block and calls a listener.
 class XmlStream {
  public:
   XmlStream(XmlInput input, XmlListener listener);
@@ -54,13 +54,13 @@ class XmlStream {
   XmlStream& operator=(const XmlStream&) = delete;
 
   /// The next block; false at the end of the input. Throws BadInput on XML that is broken, declares
-  /// a document type, nests deeper than kDeepest or has a single piece of more than 8 MB; what the
-  /// listener throws passes through.
+  /// a document type, nests deeper than kMaxDepth or has a single piece of more than 8 MB. An
+  /// exception of the listener ends the parsing and is passed on.
   bool advance();
   /// Line of the event that the listener receives, from 1; 0 if the input has no lines.
   std::int64_t line() const;
   void stop() { stopped_ = true; }  ///< nothing further is wanted
-  static constexpr int kDeepest = 100;
+  static constexpr int kMaxDepth = 100;
 
  private:
   struct Impl;

@@ -33,22 +33,22 @@ class LimitSurface {
   std::optional<double> stress_ratio() const;
   /// k in compression, Pa, at that angle; empty without cohesion or without an angle.
   std::optional<double> intercept_pa() const;
-  /// Whether the specimen's description gives the friction angle.
+  /// True if the specimen's description gives the friction angle.
   bool given() const { return given_angle_.has_value(); }
-  /// By how much of it |q| lies below the limit that was given; 1 where none was.
+  /// Distance of |q| below the given limit, as a fraction of the limit; 1 without a given limit.
   double below(double q_pa, double p_eff_pa) const;
-  /// Where the limit comes from; if it is not known (`is_known`), why not and what to do.
+  /// The source of the limit; without one (`is_known`), the reason and the remedy.
   std::string source(bool is_known) const;
-  /// Whether an onset at these stresses lies strictly inside: |q| more than 5 % below the limit,
-  /// without cohesion about one degree of φ. Empty: unknown. True only below an angle that was
-  /// given.
+  /// True if these stresses are inside a given limit: |q| more than 5 % below it, without cohesion
+  /// about one degree of φ. Empty: unknown.
   std::optional<bool> inside(double q_pa, double p_eff_pa, double onset_reading) const;
-  /// Whether no angle was given and the test mobilised one of whose |q| this is less than 95 %.
+  /// True if no angle is given and |q| is less than 95 % of the strength at the largest angle that
+  /// the test mobilised.
   bool went_beyond(double q_pa, double p_eff_pa) const;
-  /// Friction angle (rad) that is mobilised there at the cohesion that was given; NaN if none is.
+  /// Mobilised friction angle (rad) with the given cohesion; NaN if there is none.
   double mobilised_angle(double q_pa, double p_eff_pa) const;
-  /// Why nothing is known of an onset there: no limit was given, and friction alone does not carry
-  /// that ratio. Empty otherwise.
+  /// The reason if no limit is given and friction alone does not explain the stress ratio; empty
+  /// otherwise.
   std::string needs_cohesion(double q_pa, double p_eff_pa) const;
 
   /// Largest friction angle (rad) of a soil without cohesion at the stresses of a triaxial test.

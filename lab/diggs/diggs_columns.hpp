@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which column of a record a property of a DIGGS table is.
+// The column of a record for each property of a DIGGS table.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,7 +13,7 @@ struct DiggsColumn {
   enum class Role { time, stage, quantity };
   Role role = Role::quantity;
   Quantity quantity{};
-  /// Of the cells, if they are kept as the file has them; empty: s, or that of lab::heading().
+  /// Unit of the cells, if they are kept as in the file; empty: s, or that of lab::heading().
   std::optional<sim::Unit> file_unit{};
 
   bool is_same(const DiggsColumn& other) const {

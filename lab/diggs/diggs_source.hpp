@@ -37,7 +37,7 @@ class DiggsSource : public ByteSource {
 
   /// Client, borehole, sample and depth, as preambles of loggers label them.
   const std::vector<Note>& notes() const { return notes_; }
-  /// What was left out or assumed, with lines of the file.
+  /// Values that were left out or assumed, with lines of the file.
   const std::vector<Warning>& warnings() const { return warnings_; }
 
  private:

@@ -50,7 +50,7 @@ double Plausibility::reach(const State& s) const {
 bool Plausibility::is_possible(const State& s) const {
   if (!first_ && !is_test_pressure(s.p_eff)) return false;
   if (exceeds_any_cell(s)) return false;
-  // Of a specimen with cohesion whatever leaves its smaller effective stress above zero.
+  // A specimen with cohesion can have any angle while its smaller effective stress is above zero.
   if (specimen_.cohesion_pa.value_or(0) > 0) return s.q <= 3 * reach(s) && -s.q <= 1.5 * reach(s);
   return s.q <= kSteepest * reach(s) && -s.q <= kSteepestExtension * reach(s);
 }

@@ -34,13 +34,13 @@ State UnmeasuredVolume::completed(const State& state) {
   if (!is_unmeasured(state)) return state;
   if (stage_ != state.stage) radial_start_ = state.effective_stress.radial;
   stage_ = state.stage;
-  const double way = std::fabs(state.effective_stress.radial - radial_start_);
-  const bool is_constant = way <= std::max(kConstant * radial_start_, kMinConstant_pa);
+  const double change = std::fabs(state.effective_stress.radial - radial_start_);
+  const bool is_constant = change <= std::max(kConstant * radial_start_, kMinConstant_pa);
   if (!is_constant || !is_drained_frame(header_.stage(state.stage))) return state;
-  State whole = state;
-  whole.volumetric_strain = 0;
-  whole.strain.radial = -whole.strain.axial / 2;
-  return whole;
+  State completed = state;
+  completed.volumetric_strain = 0;
+  completed.strain.radial = -completed.strain.axial / 2;
+  return completed;
 }
 
 std::string UnmeasuredVolume::reason(const State& state) const {

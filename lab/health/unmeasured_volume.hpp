@@ -8,17 +8,18 @@
 
 namespace triax::lab {
 
-/// Drained shear of a record without any measure of its volume. Where σ₃′ is constant (within 5 %
-/// of its first value, at least 2 kPa) second-order work is dσ₁′ dε₁, whatever the volume does; it
-/// is computed with ε_v = 0 then. Anywhere else it needs the volume.
+/// Drained shear of a record without any measure of its volume. If σ₃′ is constant (within 5 % of
+/// its first value, at least 2 kPa), second-order work is dσ₁′ dε₁ for any volume change and is
+/// computed with ε_v = 0. Otherwise it needs the volume change.
 class UnmeasuredVolume {
  public:
   explicit UnmeasuredVolume(const RecordHeader& header);
 
-  /// `state`, or with ε_v = 0 where that changes no second-order work. In the order of readings.
+  /// Returns `state`, with ε_v = 0 if that does not change second-order work. Pre-condition: the
+  /// states come in the order of readings.
   State completed(const State& state);
-  /// Why second-order work cannot be computed at a state that completed() gave; empty: nothing is
-  /// known to be missing but what the readings miss.
+  /// The reason why second-order work cannot be computed at a state that completed() returned;
+  /// empty if its volume change is known or not needed.
   std::string reason(const State& state) const;
 
  private:

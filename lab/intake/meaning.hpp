@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which quantity each column of a table is, in which unit and with which sign: the assignment with
+// Quantity, unit and sign of each column of a table: the assignment with
 // the largest evidence, which is that of the names (lexicon.hpp) plus that of the readings
 // (identities.hpp), each as a log-likelihood.
 #include <cmath>

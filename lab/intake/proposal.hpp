@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a table of readings holds, found from the file alone: its structure, the quantity, unit and
-// sign of each column, values above the table, and questions about what the file does not decide.
+// The meaning of a table of readings, found from the file alone: its structure, the quantity, unit
+// and sign of each column, values above the table, and questions about what the file does not
+// decide.
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -11,7 +11,7 @@ namespace triax::lab {
 /// has.
 std::vector<TableQuestion> find_questions(const Proposal& proposal);
 
-/// Whether no column is a pore pressure, an effective stress or a volume: a test in total stresses,
+/// True if no column is a pore pressure, an effective stress or a volume: a test in total stresses,
 /// or a drained one.
 bool is_without_pore_pressure(const Proposal& proposal);
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where the rows of a table begin a second test.
+// The rows of a table with which a second test begins.
 #include <array>
 #include <cstdint>
 #include <optional>
 
 namespace triax::lab {
 
-/// What the rows of a test start with and move away from, in any unit, NaN where a row has no
-/// value. The load is q or the axial force; the pressure an effective stress or a pore pressure.
+/// Values with which a test starts and from which its rows move away, in any unit, NaN where a row
+/// has no value. The load is q or the axial force; the pressure an effective stress or a pore
+/// pressure.
 enum class RowValue : std::uint8_t { strain, load, pressure, cycle, time };
 inline constexpr std::size_t kRowValueCount = 5;
 using RowState = std::array<double, kRowValueCount>;

@@ -19,7 +19,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// What the cells of a column say, one text a row; numbers as they are.
+/// The cells of a column as texts, one a row; numbers as they are.
 std::vector<std::string> words_of(const TableColumn& column) {
   if (!column.texts.empty()) return column.texts;
   std::vector<std::string> out;
@@ -93,7 +93,7 @@ class CourseSearch {
     return out;
   }
 
-  /// What grows from the first reading to the last.
+  /// Columns that grow from the first reading to the last.
   std::vector<Values> running_columns() const {
     std::vector<Values> out;
     for (const char* quantity : {"clock", "time", "date", "reading_number", "time_of_day"})

@@ -16,7 +16,7 @@ struct RowCourse {
   std::size_t test_column = 0;              ///< position of the column that names them; 0: none
 };
 
-/// Whether the heading is a name or number of tests, specimens or samples ("Probe Nr.").
+/// True if the heading is a name or number of tests, specimens or samples ("Probe Nr.").
 bool names_tests(const std::string& heading);
 
 /// The order by the times, clocks and numbers of rows, else by the strain (RowDirection). The tests

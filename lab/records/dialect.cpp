@@ -95,7 +95,7 @@ void check_unit(const TomlTable& table, const char* key, const std::string& unit
                       " is an unknown unit; known: " + record_unit_names(dimension_of(column)));
 }
 
-/// Of a column with a date.
+/// The order of a column with a date.
 void read_date_order(DialectColumn& column, const TomlTable& table) {
   if (column.role != ColumnRole::time && column.role != ColumnRole::date) return;
   const auto text = table.text("date_order");

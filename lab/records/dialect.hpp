@@ -16,7 +16,7 @@
 
 namespace triax::lab {
 
-/// What a column holds, beside the quantities. A date and a time of day are one time.
+/// The role of a column that is no quantity. A date and a time of day are one time.
 enum class ColumnRole {
   quantity,
   time,

@@ -24,8 +24,8 @@ class DialectMemory {
   /// The folder that belongs to a database.
   static std::string folder_of(const std::string& database) { return database + ".dialects"; }
 
-  /// Of the headings and units of a table, in their order: 32 hexadecimal digits. Spaces around a
-  /// heading do not count. Empty for a table without headings, which cannot be remembered.
+  /// Key of the headings and units of a table, in their order: 32 hexadecimal digits. Spaces around
+  /// a heading do not count. Empty for a table without headings, which cannot be remembered.
   static std::string key_of(const TableStructure& structure);
 
   /// Stores a dialect under a key, in place of an older one, and returns the path of its file.

@@ -155,7 +155,7 @@ class Layout {
     return false;
   }
 
-  /// Whether the time between the first and the last row differs with day and month exchanged.
+  /// True if the time between the first and the last row differs with day and month exchanged.
   bool depends_on_order(std::size_t position) const {
     const auto column = std::ranges::find(p_.table.columns, position, &TableColumn::position);
     if (column == p_.table.columns.end() || !column->clock) return true;
@@ -169,7 +169,7 @@ class Layout {
     return elapsed(*column->clock->format) != elapsed(other);
   }
 
-  /// Whether names and readings of a mean stress or a deviator contradict each other about equally.
+  /// True if names and readings of a mean stress or a deviator contradict each other about equally.
   bool is_definition_open() const {
     constexpr std::array kNames{"deviator_stress", "mean_effective_stress", "half_deviator_stress",
                                 "mean_effective_stress_2d"};
@@ -214,7 +214,7 @@ class Layout {
     out_.columns.push_back(std::move(planned));
   }
 
-  /// Of a column that its name alone does not decide.
+  /// Notes a column that its name alone does not decide.
   void note_reading(const TableColumn& column, const ColumnReading& reading) {
     if (column.clock || reading.unit_source == UnitSource::name) return;
     const bool is_named = reading.name && *reading.name != NameMatch::borrowed;

@@ -47,9 +47,9 @@ struct RowConstant {
   double si = 0;
 };
 
-/// Which quantities a table gives, and how. Formulas: u = u_b + Δu, q = 2 t, p′ = s′ − t/3, p′ = p
-/// − u, σ3′ = s′ − t, σ3′ = q/(R − 1), V_b = −ΔV, δ = h0 − h. A quantity with a column of its own,
-/// or with a constant, is never computed.
+/// Computes the quantities that a table gives without a column of their own. Formulas: u = u_b +
+/// Δu, q = 2 t, p′ = s′ − t/3, p′ = p − u, σ3′ = s′ − t, σ3′ = q/(R − 1), V_b = −ΔV, δ = h0 − h. A
+/// quantity with a column of its own, or with a constant, is never computed.
 class RowCompletion {
  public:
   RowCompletion() = default;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What was taken for a stage that a record does not describe, in words, and what its readings say
-// of the drainage.
+// The assumptions about a stage that a record does not describe, in words, and the evidence of its
+// readings for the drainage.
 #include <string>
 
 #include "lab/records/stage_inference.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which cell of a row of a table is what: settled once, by recognise_table()
+// The meaning of each cell of a row: settled once, by recognise_table()
 // (lab/records/tables/table_recognition.hpp).
 #include <cstdint>
 #include <optional>

@@ -42,7 +42,7 @@ class TableReader {
   /// Names of stages whose column holds words, in the order in which they came: that of stage 1
   /// first.
   const std::vector<std::string>& stage_names() const { return stage_names_.all(); }
-  /// What the last row has in the column that names the tests; empty without such a column.
+  /// Text of the last row in the column that names the tests; empty without such a column.
   std::string test_name() const;
   TableReader(const TableReader&) = delete;
   TableReader& operator=(const TableReader&) = delete;

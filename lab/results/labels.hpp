@@ -20,7 +20,7 @@ std::span<const LabelKey> label_keys();
 /// The label of the key; nullptr for an unknown key. "depth_m" is another spelling of "depth".
 const LabelKey* find_label(std::string_view key);
 
-/// What was set for this label; empty if nothing was. A line of a preamble that is named like the
+/// The text of this label; empty if there is none. A line of a preamble that is named like the
 /// key ("Specimen type" of specimen_type) counts.
 std::string label_text(const RecordHeader& header, const LabelKey& label);
 

@@ -78,7 +78,7 @@ void Collapse::remove_onset() {
   limit_source = "unknown";
 }
 
-/// What was not assessed for one reason is not for that of the whole.
+/// Gives criteria that were not assessed the reason of the whole.
 void Collapse::explain(const std::string& reason) {
   constexpr std::string_view kNot = "not assessed";
   for (Criterion& c : criteria)

@@ -237,7 +237,7 @@ struct GuardOutcome {
 /// (ISO 17892-8).
 struct UndrainedStrength {
   Instant at;
-  /// Where ASTM D2850 ends, at 15 %; empty: failure came before that.
+  /// At 15 %, the end of a test by ASTM D2850; empty: failure came before that.
   std::optional<Instant> at_15_pct;
   double last_axial_strain = 0;  ///< of shear
   bool peaked = true;            ///< q fell afterwards; else it was still rising at `at`

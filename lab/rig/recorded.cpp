@@ -302,8 +302,8 @@ void RecordedRig::Impl::settle_drainage_by_columns(StageInfo& only) {
     otherwise.push_back({fmt::format("stages.{}.control", only.number), "constant_q"});
 }
 
-/// Of the first and last rows of a long record, if a pore pressure shows that it is undrained: what
-/// it does between does not change that. Nothing otherwise.
+/// Summaries of the first and last rows of a long record whose pore pressure shows that it is
+/// undrained: the rows between do not change that. Nothing otherwise.
 std::optional<std::vector<StageSummary>> RecordedRig::Impl::sample_of_undrained_test() {
   if (header.has(Quantity::volumetric_strain) || layout.is_reversed) return std::nullopt;
   const bool is_known = tests && tests->sample;

@@ -16,7 +16,7 @@ namespace triax::lab {
 
 /// The dialect that the user named, if any. Throws BadInput as find_dialect() does.
 std::optional<Dialect> named_dialect(const RecordOptions& options);
-/// That dialect, else the one remembered for the headings of the table, with a finding.
+/// The named dialect, else the one remembered for the headings of the table, with a finding.
 std::optional<Dialect> dialect_for(ByteSource& table, const RecordOptions& options,
                                    Findings& findings);
 

@@ -165,7 +165,7 @@ TEST_CASE("replay FOLDER: all tests of a file, as for the file alone") {
   CHECK(alone[1]["test"]["digest"] == tests[4]["test"]["digest"]);
 
   CHECK(holds(here.triax("replay f").out, "3 files: 0 stored, 3 read before"));
-  // What is missing of a file is read.
+  // The tests of a file that are missing are read.
   CHECK(here.triax("tests remove 4").status == 0);
   const Outcome again = here.triax("replay f --json");
   CHECK(json::parse(again.out)["test"]["readings"] == 20);

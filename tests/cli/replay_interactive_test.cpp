@@ -38,7 +38,7 @@ Outcome talk(const Workplace& here, const std::string& table, const std::string&
   return outcome;
 }
 
-/// What is stored of the only test.
+/// Values of the only stored test.
 json result_of(const Workplace& here) {
   const Outcome shown = here.triax("report 1 --format json");
   REQUIRE(shown.status == 0);

@@ -188,7 +188,7 @@ std::string reason_for(const ClockTrial& best, const std::vector<ClockTrial>& tr
   return {};
 }
 
-/// Of the orders that fit most cells, those whose steps do not rule them out.
+/// The trials that fit most cells, without those whose steps are impossibly long.
 std::vector<ClockTrial> possible_trials(const std::vector<ClockTrial>& trials) {
   const auto fit_count = std::ranges::max(trials, {}, &ClockTrial::fit_count).fit_count;
   std::vector<ClockTrial> out;

@@ -21,7 +21,7 @@ constexpr int kFirstYear = 1899, kLastYear = 2150;
 constexpr std::array<std::string_view, 4> kOrderNames{"no date", "year first", "day first",
                                                       "month first"};
 
-/// Of a year in two digits.
+/// The century of a year with two digits.
 int full_year(int year) { return year + (year < 70 ? 2000 : 1900); }
 
 std::optional<std::int64_t> day_of(const ClockFormat& format, const ClockCell& cell) {

@@ -16,7 +16,7 @@ std::string_view name(DateOrder order);
 /// The order with that name; empty for any other text and for "no date".
 std::optional<DateOrder> find_date_order(std::string_view text);
 
-/// What a column of plain numbers counts, if it is a column of dates or times of day.
+/// The meaning of plain numbers in a column of dates or times of day.
 enum class ClockNumber : unsigned char {
   none,
   spreadsheet_days,  ///< 46090.9167: days since 1899-12-30

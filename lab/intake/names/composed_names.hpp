@@ -30,7 +30,7 @@ class ComposedNames {
   void add_word(const QString& word, Meanings meanings);
   void add_names(const QString& composed, std::size_t quantity, const QHash<QString, int>& bits);
   std::optional<Meanings> meanings_of(const QString& token) const;
-  /// Of a compound word: "porenwasserdruck".
+  /// Meanings of a compound word: "porenwasserdruck".
   std::optional<Meanings> meanings_of_parts(QStringView text, std::vector<bool>& failed,
                                             std::size_t begin) const;
 

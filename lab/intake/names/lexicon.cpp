@@ -162,7 +162,7 @@ bool append_tails(const QString& text, SearchLevels& levels) {
   return both.any();
 }
 
-/// What a heading without its unit can mean, the best first.
+/// The quantities that a heading without its unit can mean, the best first.
 SearchLevels search_name(const QString& text) {
   const NameIndex& index = NameIndex::get();
   SearchLevels levels{{NameMatch::exact, index.find_exact(text)}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which quantities a heading can mean: names in 13 languages, symbols and codes. The names are in
-// lab/intake/lexicon/QUANTITY.toml, the rules of the search in normalise.toml of that folder.
+// The quantities that a heading can mean: names in 13 languages, symbols and codes. The names are
+// in lab/intake/lexicon/QUANTITY.toml, the rules of the search in normalise.toml of that folder.
 #include <string>
 #include <string_view>
 #include <vector>

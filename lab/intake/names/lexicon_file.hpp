@@ -9,7 +9,7 @@ namespace triax::lab {
 
 /// The file lab/intake/lexicon/NAME.toml that is embedded in the program. Pre-condition: it exists.
 TomlTable read_lexicon_file(std::string_view name);
-/// Those of the files that describe a quantity, by name, each read once.
+/// The files that describe a quantity, by name, each read once.
 const std::vector<TomlTable>& lexicon_quantity_files();
 
 }  // namespace triax::lab

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which software wrote a file, and what follows for its columns.
+// The software that wrote a file, and the meaning of its columns.
 #include <optional>
 #include <string>
 #include <string_view>

@@ -186,7 +186,7 @@ bool is_clock(std::string_view text) {
   return parts.take_time() && parts.at_end();
 }
 
-/// What spreadsheets write for an error: "#DIV/0!", "#N/A", "#NOME?".
+/// Texts that spreadsheets write for an error: "#DIV/0!", "#N/A", "#NOME?".
 bool is_sheet_error(std::string_view cell) {
   if (!cell.starts_with('#') || cell.size() < 3) return false;
   return cell.ends_with('!') || cell.ends_with('?') || cell == "#N/A" || cell == "#N/D" ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a cell looks like, before anything is known about its table.
+// The shape of a cell, before anything is known about its table.
 #include <array>
 #include <cstddef>
 #include <cstdint>

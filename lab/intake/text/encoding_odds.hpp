@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which of the code pages a text that is no Unicode is written in.
+// The code page of a text that is not Unicode.
 #include <string>
 #include <string_view>
 

@@ -14,7 +14,7 @@ struct HeadingRows {
   std::vector<std::size_t> lines;  ///< of the sample, ascending
   std::optional<std::size_t> unit_line;
   std::size_t top = 0;  ///< first line of names, units or what belongs to them
-  /// Of each of `lines`, one per column; one list for names that are below each other.
+  /// Cells of each of `lines`, one per column; one list for names that are below each other.
   std::vector<std::vector<std::string>> cells;
   std::vector<std::string> units;  ///< one per column; empty without a unit line
   double coverage = 0;             ///< fraction of the used columns that have a name

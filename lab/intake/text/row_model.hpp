@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which lines of a text are rows of a table, if its cells are apart by a given separator.
+// The lines of a text that are rows of a table, if its cells are apart by a given separator.
 #include <cstddef>
 #include <string>
 #include <string_view>

@@ -4,7 +4,7 @@
 
 namespace triax::lab {
 
-/// Whether the first 64 kB of a file look like readings: a zip archive or an old Office file (a
+/// True if the first 64 kB of a file look like readings: a zip archive or an old Office file (a
 /// workbook may be in it), or text with three lines after one another of at least two numbers each.
 /// False for pictures, letters and programmes. The source is then at its first byte. Throws
 /// WorkFailed where the medium fails.

@@ -21,7 +21,7 @@ double first_of(std::initializer_list<Quantity> columns, std::optional<Quantity>
   return column ? row.si[index(*column)] : kMissing;
 }
 
-/// What shears the specimen: q by the first columns that give it, else the axial force.
+/// The load that shears the specimen: q by the first columns that give it, else the axial force.
 double load_of(const Row& row) {
   const auto at = [&](Quantity quantity) { return row.si[index(quantity)]; };
   double load = at(deviator_stress);

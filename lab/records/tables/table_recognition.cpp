@@ -223,7 +223,7 @@ std::ptrdiff_t used_columns(const Proposal& proposal) {
          });
 }
 
-/// Of the tables side by side the one that is to be read.
+/// The table to be read, of those side by side.
 std::size_t chosen_block(const ByteSource& source, const TableStructure& structure,
                          const TableTest& test) {
   const std::size_t count = structure.blocks.size();
@@ -284,7 +284,7 @@ bool repeats_headings(std::string_view line, Separator separator) {
          std::ranges::find(cells.begin() + 1, cells.end(), cells.front()) != cells.end();
 }
 
-/// Whether q and p' of the headings are t and s': the readings of tables with the same headings
+/// True if q and p' of the headings are t and s': the readings of tables with the same headings
 /// decide it, or leave it open.
 bool has_other_definitions(ByteSource& source) {
   try {

@@ -23,7 +23,7 @@ std::string name_of(const TableBlock& block) {
                      block.title.empty() ? "" : ", " + excerpt(block.title));
 }
 
-/// Whether the tables that stand side by side are read one by one. A dialect that is found by its
+/// True if the tables that stand side by side are read one by one. A dialect that is found by its
 /// headings reads the whole line.
 bool reads_blocks(ByteSource& source, const std::optional<Dialect>& forced) {
   std::vector<Warning> warnings;

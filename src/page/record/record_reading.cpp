@@ -54,7 +54,7 @@ class UploadedRecord {
       return lab::tests_in([this] { return upload_.source(record_.name); }, options(), extent);
     };
   }
-  /// Of tables side by side, the one that the dialect describes; 0: none.
+  /// The one of tables side by side that the dialect describes; 0: none.
   std::size_t block() const {
     return record_.dialect.empty() ? 0 : lab::parse_dialect(record_.dialect, "dialect").block;
   }
@@ -90,7 +90,7 @@ std::int64_t replay(const RecordToRead& asked, const UploadedRecord& record,
                          asked.writer);
 }
 
-/// What is known before the first test is stored.
+/// Facts that are known before the first test is stored.
 void look_at_heads(const UploadedRecord& record, Json& answer) {
   for (const study::TestOfFile& test : study::tests_of(record.tests()(lab::Extent::sample))) {
     const auto rig = record.open(test);
@@ -133,7 +133,7 @@ Json replayed(const RecordToRead& record, const UploadedRecord& opened) {
   return answer;
 }
 
-/// Whether it is in the format of triax, whose headings and metadata leave nothing open.
+/// True if it is in the format of triax, whose headings and metadata leave nothing open.
 bool is_own_format(lab::ByteSource& table) {
   std::vector<lab::Warning> warnings;
   lab::Findings findings(warnings);

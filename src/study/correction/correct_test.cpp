@@ -59,7 +59,7 @@ void check_stages(const db::Correction& correction,
   }
 }
 
-/// Whether two texts of a value are the same value: what was printed with 15 digits is.
+/// True if two texts of a value are the same value: what was printed with 15 digits is.
 bool is_same_value(const std::string& a, const std::string& b) {
   const auto x = lab::whole_text_as<double>(a), y = lab::whole_text_as<double>(b);
   constexpr double kRounding = 1e-13;
@@ -178,7 +178,8 @@ lab::TestSummary CorrectionRun::assess(const lab::RecordHeader& header,
   return lab::run_session(*rig, options, listeners);
 }
 
-/// Of what an older triax stored something may be missing that a replay needs.
+/// Throws if the replay of a test that an older triax stored gives another onset: the database may
+/// lack something that a replay needs.
 void CorrectionRun::check_can_be_reproduced() {
   if (correction_.is_exact()) return;
   const lab::Collapse &stored = correction_.test().summary.collapse,

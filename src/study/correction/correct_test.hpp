@@ -10,7 +10,7 @@
 
 namespace triax::study {
 
-/// What became of a correction.
+/// The result of a correction.
 struct Corrected {
   std::int64_t revision = 0;  ///< of the test now; 0: no value changed, nothing is stored
   std::vector<db::RevisedValue> values;  ///< those that changed

@@ -25,7 +25,7 @@ namespace triax::study {
 namespace {
 
 constexpr const char* kDiggsNamespace = "http://diggsml.org/schemas/2.6";
-/// Of classes of properties that are quantities of triax.
+/// Name space of property classes that are quantities of triax.
 constexpr const char* kQuantitySpace = "urn:triax:quantity";
 constexpr std::array kDiggsKeys{"PROJ_NAME", "PROJ_CLNT", "LOCA_ID",
                                 "SAMP_REF",  "SAMP_TOP",  "SPEC_REF"};

@@ -147,7 +147,7 @@ std::string answer_programme(ImportChoices& choices, std::string_view text) {
   return {};
 }
 
-/// What is wrong with a value of this key; empty if nothing is.
+/// The fault of a value of this key; empty if there is none.
 std::string fault_of(const std::string& key, double value) {
   lab::RecordHeader probe;
   try {

@@ -45,7 +45,7 @@ bool has_toml_preamble(const lab::TableStructure& structure) {
   });
 }
 
-/// Where the unit of a column is from if it becomes another quantity.
+/// The source of the unit of a column that becomes another quantity.
 lab::UnitSource unit_source_of(const ColumnChoice& choice, bool is_number,
                                const lab::ColumnReading& before) {
   using enum lab::UnitSource;

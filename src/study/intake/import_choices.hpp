@@ -26,7 +26,7 @@ struct ColumnChoice {
   std::optional<lab::DateOrder> date_order;  ///< of a column with dates
   std::string note;                          ///< comment behind the line; empty: the heading
 
-  // What the user decided. Anything else is as proposed and may be a question.
+  // Decisions of the user. Anything else is as proposed and may be a question.
   bool is_quantity_answered = false;
   bool is_unit_answered = false;  ///< also by a quantity that has no unit
   bool is_sign_answered = false;
@@ -54,7 +54,7 @@ struct ImportChoices {
   void set_value(const std::string& key, double value);
 };
 
-/// Where a proposal is from.
+/// The source of a proposal.
 struct ImportSource {
   std::string name;  ///< of the dialect to be written
   std::string encoding = "UTF-8";
@@ -68,7 +68,7 @@ std::optional<double> first_value(const lab::Proposal& proposal, std::string_vie
 /// pore pressure, else the pore pressure.
 std::string second_pressure(const ImportChoices& choices);
 
-/// What the proposal understands, with held pressures that are above the table, without an answer
+/// The meaning that is proposed, with held pressures that are above the table, without an answer
 /// to its questions.
 ImportChoices usual_choices(const lab::Proposal& proposal, const ImportSource& source);
 
@@ -79,7 +79,7 @@ std::size_t column_before(const ImportChoices& choices, const ColumnChoice& colu
 /// True if the column has a quantity that a table can be searched for: no text, no unknown column.
 bool has_quantity(const lab::ColumnReading& reading);
 
-/// Whether a record has a use for the quantity. False for auxiliary ones such as a temperature.
+/// True if a record has a use for the quantity. False for auxiliary ones such as a temperature.
 bool is_of_record(const std::string& quantity);
 
 /// The proposal with the chosen meanings in place of its own; its questions are those that are

@@ -27,7 +27,7 @@ ImportQuestion definitions_question(const lab::Proposal& proposal) {
           .usual = is_plane ? "s t" : "p q"};
 }
 
-/// Of a table without pore pressure, effective stresses and volume.
+/// Asks for a table without pore pressure, effective stresses and volume.
 ImportQuestion programme_question() {
   return {.about = About::programme,
           .text = "kind of test",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a table and the choices of the user leave open.
+// The questions that a table and the choices of the user leave open.
 #include <vector>
 
 #include "src/study/intake/import_choices.hpp"

@@ -42,7 +42,7 @@ Json quantity_json(std::string_view name, std::string_view symbol, sim::Dimensio
   return {{"name", name}, {"symbol", symbol}, {"units", lab::record_units(dimension)}};
 }
 
-/// What a column can be chosen to be.
+/// The quantities that can be chosen for a column.
 Json quantities_json() {
   Json all = Json::array();
   for (const char* name : {"time", "stage_time"})
@@ -56,7 +56,7 @@ Json quantities_json() {
   return all;
 }
 
-/// Whether the page shows the quantity: the user chooses all those of a table without headings.
+/// True if the page shows the quantity: the user chooses all those of a table without headings.
 bool is_shown(const lab::Proposal& proposal, const ImportChoices& choices,
               const ColumnChoice& choice, const lab::ColumnReading& reading) {
   if (choice.is_quantity_answered) return !choice.quantity.empty();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a record would become, before it is stored.
+// A record as it would be read, before it is stored.
 #include <vector>
 
 #include "lab/rig/recorded.hpp"

@@ -30,7 +30,7 @@ std::span<const AskedValue> asked_values();
 ImportQuestion value_question(const lab::Proposal& proposal, const ImportChoices& choices,
                               std::string_view name);
 
-/// Whether the record needs the value with that name, although a label or other columns seem to
+/// True if the record needs the value with that name, although a label or other columns seem to
 /// make up for it. For cell pressure, height and diameter.
 bool is_value_open(const lab::Proposal& proposal, const ImportChoices& choices,
                    std::string_view name);

@@ -18,7 +18,7 @@ class AnswerInput {
   /// input and after Ctrl-C. Waits until a line is there.
   std::optional<std::string> next();
   static constexpr std::size_t kMaxLine_bytes = 4096;
-  /// Whether what the user types is seen on the screen.
+  /// True if what the user types is seen on the screen.
   bool is_terminal() const;
 
  private:

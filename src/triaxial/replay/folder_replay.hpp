@@ -12,7 +12,7 @@
 
 namespace triax::src {
 
-/// What became of one file.
+/// The result for one file.
 struct FileOutcome {
   enum class Kind {
     stored,       ///< as test `test`, or as those up to `last_test`
@@ -50,13 +50,13 @@ class FolderReplay {
   const std::string& db() const { return db_; }
 
  private:
-  /// What was stored of a file.
+  /// The stored tests of a file.
   struct Part {
     std::vector<db::StoredTest> tests;
     std::string digest;  ///< of the file
     std::uint64_t bytes = 0;
   };
-  /// What became of the tests of a file.
+  /// The results for the tests of a file.
   struct TestOutcomes {
     std::vector<db::StoredTest> stored;
     std::vector<std::int64_t> before;  ///< read before

@@ -12,7 +12,7 @@
 namespace triax::src {
 namespace {
 
-/// Of the shear stages; of all stages if none has this role.
+/// Numbers of the shear stages; of all stages if none has this role.
 struct Course {
   std::int64_t rows = 0;
   double first_time_s = lab::kMissing, last_time_s = lab::kMissing;

@@ -7,7 +7,7 @@
 
 namespace triax::src {
 
-/// What is read with these options, in a few lines: rows, time, strains, p' at the start, peak of q
+/// A summary of the record read with these options: rows, time, strains, p' at the start, peak of q
 /// and drainage. Reads the whole record. Throws BadInput if it cannot be read or reduced.
 std::string import_summary(lab::RecordedRig& record, const lab::ReductionOptions& options);
 

@@ -9,7 +9,7 @@
 
 namespace triax::src {
 
-/// What was understood, column by column in canonical units (s, mm, mm2, mm3, kN, kPa, degC and
+/// The meaning of each column in canonical units (s, mm, mm2, mm3, kN, kPa, degC and
 /// plain numbers), for comparison with a known meaning. All blocks of the file.
 std::string meaning_text(const std::vector<lab::Proposal>& proposals, const std::string& file,
                          const std::string& encoding);

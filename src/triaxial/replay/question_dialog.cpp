@@ -34,7 +34,7 @@ std::string list_of(const ImportQuestion& question) {
   return out;
 }
 
-/// What Enter accepts, as the user sees it.
+/// The answer that Enter accepts, as the user sees it.
 std::string usual_of(const ImportQuestion& question) {
   const auto found = std::ranges::find(question.answers, question.usual, &ImportAnswer::value);
   if (found == question.answers.end()) return question.usual;

@@ -41,7 +41,7 @@ class QuestionDialog {
   void say(std::string_view text) const { user_.show(text); }
   /// Sentences, in lines.
   void report(const std::string& text) const;
-  /// What the user types behind `prompt`. Throws QuitImport.
+  /// Returns the text that the user types behind `prompt`. Throws QuitImport.
   std::string line(const std::string& prompt) const;
 
   /// Each once: an answer that leaves its question open is not asked for again. Throws QuitImport.

@@ -26,7 +26,7 @@ struct Stopped : lab::WorkFailed {
 
 using study::TestOfFile;
 
-/// What is the same for all records of a call.
+/// Values that are the same for all records of a call.
 struct ReplayRequest {
   lab::RecordOptions record;  ///< without the values of the job
   lab::JobFile job;

@@ -98,10 +98,10 @@ TEST_CASE("values of a DIGGS specimen that are impossible are ignored") {
                  trial("s", shear(4))));
   CHECK_FALSE(rig->header().specimen.height_m);
   CHECK_FALSE(rig->header().specimen.diameter_m);
-  int told = 0;
+  int ignored_count = 0;
   for (const Warning& warning : rig->header().warnings)
-    told += warning.text.find("is not valid and ignored") != std::string::npos ? 1 : 0;
-  CHECK(told == 2);
+    ignored_count += warning.text.find("is not valid and ignored") != std::string::npos ? 1 : 0;
+  CHECK(ignored_count == 2);
 }
 
 TEST_CASE("parameters with keys of triax are metadata") {

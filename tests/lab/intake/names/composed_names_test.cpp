@@ -46,7 +46,7 @@ TEST_CASE("ComposedNames: the beginning of a word is short for it") {
   CHECK(find_composed("pr").empty());
 }
 
-TEST_CASE("ComposedNames: a quantity that is not told apart is not left out") {
+TEST_CASE("ComposedNames: two quantities with the same name are both found") {
   CHECK(find_composed("Axial deformation") == "axial_displacement axial_strain ");
 }
 

@@ -117,12 +117,13 @@ TEST_CASE("correct_test: the same as a replay with --set") {
   const std::string db = folder.file("t.db");
   const std::string record = "samples/records/icu_6.csv";
   const auto stored = replay(db, record);
-  const auto told =
-      replay(folder.file("told.db"), record,
+  const auto replayed =
+      replay(folder.file("replayed.db"), record,
              {.sets = {{"specimen.limit_friction_angle_deg", "40"}, {"test.programme", "CIU"}}});
   correct_test(db, stored,
                {{"specimen.limit_friction_angle_deg", "40"}, {"test.programme", "CIU"}});
-  const auto a = db::Store(db).load(stored), b = db::Store(folder.file("told.db")).load(told);
+  const auto a = db::Store(db).load(stored),
+             b = db::Store(folder.file("replayed.db")).load(replayed);
   CHECK(a.header.programme == "CIU");
   CHECK(a.summary.collapse.kind == b.summary.collapse.kind);
   CHECK(*a.summary.collapse.limit_stress_ratio == *b.summary.collapse.limit_stress_ratio);
