@@ -19,8 +19,10 @@ TEST_CASE("looks_like_readings: three rows of two numbers, in any table") {
   CHECK(looks("Zeit;q\n0,5;1\n1,5;2\n2,5;3"));
   CHECK(looks("1\t2\r\n3\t4\r\n5\t6\r\n"));
   CHECK(looks("  1.5   2e3\n  2.5 3e3\n 3 4\n"));
-  CHECK(looks(std::string("\xFF\xFE") +
-              std::string("1\0,\0002\0\n\0001\0,\0002\0\n\0001\0,\0002\0", 22)));
+  CHECK(
+      looks(std::string("\xFF\xFE"
+                        "1\0,\0002\0\n\0001\0,\0002\0\n\0001\0,\0002\0",
+                        24)));
   CHECK(looks("PK\3\4..."));
 }
 
