@@ -29,7 +29,13 @@ ComposedNames::ComposedNames() {
       for (const QString& key : name_keys(word)) add_word(key, meanings);
   }
   if (bits.size() > kMaxMeanings) throw BadInput("words.toml", 0, "too many meanings");
+  for (const std::string& qualifier : file.texts("qualifiers")) {
+    const auto bit = bits.find(QString::fromStdString(qualifier));
+    if (bit == bits.end()) throw BadInput("words.toml", 0, "no word means " + qualifier);
+    qualifiers_ |= Meanings{1} << *bit;
+  }
   const auto& quantities = lexicon_quantity_files();
+  of_quantity_.resize(quantities.size());
   for (std::size_t i = 0; i < quantities.size(); ++i)
     for (const std::string& composed : quantities[i].texts("composed"))
       add_names(QString::fromStdString(composed), i, bits);
@@ -66,7 +72,10 @@ void ComposedNames::add_names(const QString& composed, std::size_t quantity,
     }
     names = std::move(longer);
   }
-  for (const Meanings name : names) names_[name].set(quantity);
+  for (const Meanings name : names) {
+    names_[name].set(quantity);
+    of_quantity_[quantity] |= name;
+  }
 }
 
 std::optional<ComposedNames::Meanings> ComposedNames::meanings_of_parts(QStringView text,
@@ -101,6 +110,29 @@ std::optional<ComposedNames::Meanings> ComposedNames::meanings_of(const QString&
   std::vector<bool> failed(static_cast<std::size_t>(token.size()));
   if (const auto parts = meanings_of_parts(token, failed, 0)) return parts;
   return short_forms_.value(token);
+}
+
+ComposedNames::Meanings ComposedNames::meanings_inside(const QString& token) const {
+  Meanings meanings = 0;
+  for (qsizetype at = 0; at < token.size();) {
+    qsizetype length = is_east_asian(token[at]) ? std::min(max_word_, token.size() - at) : 0;
+    while (length > 0 && !words_.contains(token.sliced(at, length))) --length;
+    if (length > 0) meanings |= words_[token.sliced(at, length)];
+    at += std::max<qsizetype>(length, 1);
+  }
+  return meanings;
+}
+
+QuantitySet ComposedNames::find_contradicted(const std::vector<QString>& tokens) const {
+  Meanings meanings = 0;
+  for (const QString& token : tokens) {
+    const auto of_token = meanings_of(token);
+    meanings |= of_token ? *of_token : meanings_inside(token);
+  }
+  QuantitySet found;
+  for (std::size_t i = 0; i < of_quantity_.size(); ++i)
+    found[i] = of_quantity_[i] != 0 && (meanings & qualifiers_ & ~of_quantity_[i]) != 0;
+  return found;
 }
 
 QuantitySet ComposedNames::find(const std::vector<QString>& tokens) const {

@@ -23,6 +23,9 @@ class ComposedNames {
   /// Quantities that a heading of these tokens (heading_tokens()) names. None if a token is
   /// unknown.
   QuantitySet find(const std::vector<QString>& tokens) const;
+  /// Quantities that a heading of these tokens cannot name, whatever phrases it contains: a known
+  /// word qualifies it ("half", "ratio", "excess") that is in none of their composed names.
+  QuantitySet find_contradicted(const std::vector<QString>& tokens) const;
 
  private:
   using Meanings = std::uint64_t;  ///< one bit each
@@ -30,6 +33,8 @@ class ComposedNames {
   void add_word(const QString& word, Meanings meanings);
   void add_names(const QString& composed, std::size_t quantity, const QHash<QString, int>& bits);
   std::optional<Meanings> meanings_of(const QString& token) const;
+  /// Of all listed words inside a token in Chinese, Japanese or Korean characters.
+  Meanings meanings_inside(const QString& token) const;
   /// Meanings of a compound word: "porenwasserdruck".
   std::optional<Meanings> meanings_of_parts(QStringView text, std::vector<bool>& failed,
                                             std::size_t begin) const;
@@ -37,6 +42,8 @@ class ComposedNames {
   QHash<QString, Meanings> words_;
   QHash<QString, std::optional<Meanings>> short_forms_;  ///< empty: of words that differ
   QHash<Meanings, QuantitySet> names_;
+  std::vector<Meanings> of_quantity_;  ///< in any of its composed names
+  Meanings qualifiers_ = 0;
   std::vector<QString> endings_;
   qsizetype max_word_ = 0, min_part_ = 0, min_short_ = 0;
 };

@@ -175,10 +175,13 @@ SearchLevels search_name(const QString& text) {
     });
     is_named = append_tails(text, levels) || is_no_reading;
   }
-  if (!is_named)
-    for (const auto& match : index.phrases().find(heading_tokens(text)))
-      levels.push_back(
-          {NameMatch::words, QuantitySet().set(static_cast<std::size_t>(match.number))});
+  if (!is_named) {
+    const auto tokens = heading_tokens(text);
+    const QuantitySet contradicted = index.composed().find_contradicted(tokens);
+    for (const auto& match : index.phrases().find(tokens))
+      levels.push_back({NameMatch::words,
+                        QuantitySet().set(static_cast<std::size_t>(match.number)) & ~contradicted});
+  }
   const std::size_t own = levels.size();
   for (std::size_t i = 0; i < own; ++i)
     levels.push_back({NameMatch::borrowed, index.find_borrowers(levels[i].found), levels[i].how});

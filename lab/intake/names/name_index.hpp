@@ -22,6 +22,7 @@ class NameIndex {
   QuantitySet find_exact(const QString& repaired) const;
   /// Phrases inside a heading, with positions in lexicon_quantities().
   const PhraseTable& phrases() const { return phrases_; }
+  const ComposedNames& composed() const { return composed_; }
   /// Quantities for which laboratories use a name of one of `lenders`, directly or through another.
   QuantitySet find_borrowers(const QuantitySet& lenders) const;
 

@@ -12,10 +12,20 @@ using namespace triax::lab;
 
 namespace {
 
+const ComposedNames& composed_names() {
+  static const ComposedNames names;
+  return names;
+}
+
+bool contradicts(std::string_view heading, std::string_view quantity) {
+  const auto at = find_lexicon_quantity(quantity) - lexicon_quantities().data();
+  return composed_names().find_contradicted(
+      heading_tokens(repair_heading(heading)))[static_cast<std::size_t>(at)];
+}
+
 /// Names of the quantities with a blank behind each.
 std::string find_composed(std::string_view heading) {
-  static const ComposedNames names;
-  const QuantitySet found = names.find(heading_tokens(repair_heading(heading)));
+  const QuantitySet found = composed_names().find(heading_tokens(repair_heading(heading)));
   std::string text;
   for (std::size_t i = 0; i < lexicon_quantities().size(); ++i)
     if (found[i]) text += lexicon_quantities()[i].name + " ";
@@ -57,6 +67,23 @@ TEST_CASE("ComposedNames: a word without a meaning in the name finds nothing") {
     INFO(heading);
     CHECK(find_composed(heading).empty());
   }
+}
+
+TEST_CASE("ComposedNames: half, excess and ratio make other quantities") {
+  CHECK(find_composed("Half of the deviator stress") == "half_deviator_stress ");
+  CHECK(find_composed("主应力差之半") == "half_deviator_stress ");
+  CHECK(find_composed("Additional axial stress") == "deviator_stress ");
+  CHECK(find_composed("Cell water volume change") == "cell_volume ");
+}
+
+TEST_CASE("ComposedNames: a qualifying word contradicts the phrase beside it") {
+  CHECK(contradicts("target cell pressure xyz", "cell_pressure"));
+  CHECK(contradicts("xyz axial stress ratio", "axial_stress"));
+  CHECK(contradicts("x 偏应力的一半", "deviator_stress"));
+  CHECK(contradicts("附加轴向应力某", "axial_stress"));  // in a token with an unknown word
+  CHECK_FALSE(contradicts("xyz effective axial stress", "effective_axial_stress"));
+  CHECK_FALSE(contradicts("xyz axial stress", "axial_stress"));
+  CHECK_FALSE(contradicts("xyz ratio", "membrane_and_drain_correction"));  // has no composed name
 }
 
 TEST_CASE("ComposedNames: a long text finds nothing in short time") {
