@@ -56,14 +56,15 @@ std::string_view cell_of(const Cells& cells, std::size_t cell) {
   return cell < cells.size() ? cells[cell] : std::string_view();
 }
 
-/// A code for "no value", unless it is between the values of the rows beside it: a time of 9999 s.
+/// A code for "no value", unless it is positive and between the values of the rows beside it: a
+/// time of 9999 s.
 bool is_code(const Rows& rows, std::size_t row, std::size_t cell, NumberFormat format, double value,
              double before) {
   if (!means_no_value(value, before)) return false;
   double after = kMissing;
   if (row + 1 < rows.cells.size())
     parse_number_cell(cell_of(rows.cells[row + 1], cell), format, after);
-  return !((before < value && value < after) || (before > value && value > after));
+  return value < 0 || !((before < value && value < after) || (before > value && value > after));
 }
 
 Numbers numbers_of(const Rows& rows, std::size_t cell, const TableStructure& structure) {
@@ -101,10 +102,19 @@ ClockHeading clock_heading(const HeadingNames& names) {
   return ClockHeading::time;
 }
 
+/// True if the heading names another quantity than a time.
+bool is_other(const HeadingNames& names) {
+  if (names.candidates.empty()) return false;
+  const NameCandidate& best = names.candidates.front();
+  const auto& dimension = best.quantity->dimension;
+  return best.how == NameMatch::exact && dimension != "time" && dimension != "clock";
+}
+
 std::optional<ClockFinding> clock_of(const Rows& rows, std::size_t cell, const Numbers& numbers,
-                                     const HeadingNames& names) {
+                                     const HeadingNames& names, bool has_unit) {
   const bool only_numbers = numbers.texts == 0;
-  if (only_numbers && clock_heading(names) == ClockHeading::time) return std::nullopt;
+  if (only_numbers && clock_heading(names) == ClockHeading::time && (has_unit || is_other(names)))
+    return std::nullopt;
   Cells cells;
   for (const Cells& row : rows.cells) cells.push_back(cell < row.size() ? row[cell] : "");
   ClockFinding found = find_clock_format(
@@ -150,7 +160,8 @@ TableColumn column_of(const TableStructure& structure, const Rows& rows, std::si
     if (names.candidates.empty()) names = find_names(heading, column.sample.unit_of_row);
   column.title = find_names(column.heading, column.sample.unit_of_row).name;
   std::ranges::replace(column.title, '_', ' ');
-  column.clock = clock_of(rows, cell, numbers, names);
+  const bool has_unit = !names.unit.empty() || !column.sample.unit_of_row.empty();
+  column.clock = clock_of(rows, cell, numbers, names, has_unit);
   if (column.clock) column.sample.is_number = false;
   if (column.clock)
     for (const Cells& row : rows.cells)

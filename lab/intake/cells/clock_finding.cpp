@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <vector>
 
@@ -154,6 +155,24 @@ std::string ends_of(const ClockSample& sample) {
   return excerpt(sample.texts.front()) + " to " + excerpt(sample.texts.back());
 }
 
+/// True for numbers that only instants have, whatever their heading is: after 2001, in order and
+/// within ten years. Quantities of a test have the size of days, too: these are within 400 days,
+/// and most have parts.
+bool are_instants(const ClockSample& sample, const ClockFormat& format) {
+  constexpr double kSeconds2001 = 1e9, kTenYears_s = 3.2e8, kDays400_s = 3.5e7;
+  const bool counts_days = format.number < ClockNumber::seconds;
+  std::vector<double> times;
+  for (const auto text : sample.texts)
+    if (const auto time = clock_seconds(format, text)) times.push_back(*time);
+  if (times.size() < sample.texts.size() || sample.others > 0 || times.size() < 2) return false;
+  const auto [first, last] = std::ranges::minmax(times);
+  if (first < kSeconds2001 || last - first > (counts_days ? kDays400_s : kTenYears_s)) return false;
+  if (!std::ranges::is_sorted(times) && !std::ranges::is_sorted(times, std::greater<>()))
+    return false;
+  const auto parts = sample.count([](const ClockCell& cell) { return cell.decimals > 0; });
+  return !counts_days || 2 * parts > times.size();
+}
+
 ClockFinding finding_of_numbers(const ClockSample& sample, ClockHeading heading) {
   ClockFormat format;
   format.order = DateOrder::year_first;
@@ -165,10 +184,10 @@ ClockFinding finding_of_numbers(const ClockSample& sample, ClockHeading heading)
   // 8 digits are a date only below the heading of a date; 14 digits are a date anywhere.
   if ((heading == ClockHeading::date || is_long) && fits(format))
     return {format, false, ends_of(sample) + ": year first"};
-  if (heading == ClockHeading::time) return {};
   format = {};
   format.number = number_of_size(sample.cells.front(), heading);
   if (format.number == ClockNumber::none || !fits(format)) return {};
+  if (heading == ClockHeading::time && !are_instants(sample, format)) return {};
   return {format, false, ends_of(sample) + ": " + describe(format)};
 }
 

@@ -44,7 +44,9 @@ struct ClockFormat {
   ClockNumber number = ClockNumber::none;
 };
 
-/// Kind of column; plain numbers are dates or times only in the latter two.
+/// Kind of column. Plain numbers below `time` are clocks only if nothing else has their size and
+/// order: 14 digits of a date and a time of day, or a count that grows or falls, is after 2001 and
+/// within ten years (days: within 400, and most with parts).
 enum class ClockHeading : unsigned char { time, date, time_of_day };
 
 struct ClockFinding {

@@ -381,6 +381,20 @@ TEST_CASE("find_clock_format: numbers are dates below such a heading", "[intake]
   CHECK_FALSE(find_in({"99999999999999999999999999"}, date).format);
 }
 
+TEST_CASE("find_clock_format: instants as numbers need no such heading", "[intake]") {
+  CHECK(seconds_in({"1773124224", "1773124284"}, "1773124224", ClockHeading::time) == kInstant);
+  CHECK(seconds_in({"1773124284500", "1773124224500"}, "1773124224500", ClockHeading::time) ==
+        kInstant + 0.5);
+  CHECK(seconds_in({"46091.25", "46091.251"}, "46091.25", ClockHeading::time) ==
+        kInstant - 23'424 + 21'600);
+  CHECK_FALSE(find_in({"46091", "46092", "46093"}).format);           // counts
+  CHECK_FALSE(find_in({"46091.25", "46090.25", "46091.75"}).format);  // in no order
+  CHECK_FALSE(find_in({"36091.25", "46091.25"}).format);              // within 27 years
+  CHECK_FALSE(find_in({"46091.25", "46500.75"}).format);              // within 409.5 days
+  CHECK_FALSE(find_in({"173124224", "173124284"}).format);            // in 1975
+  CHECK_FALSE(find_in({"1773124224", "1773124284", "x"}).format);
+}
+
 namespace {
 std::vector<double> times_of(const Texts& texts) {
   const auto found = find_in(texts);
