@@ -198,6 +198,19 @@ std::vector<Run> find_runs(const RowModel& model) {
 
 std::ptrdiff_t at(std::size_t i) { return static_cast<std::ptrdiff_t>(i); }
 
+/// Takes away a few rows behind a blank line at the end of a run, if one of them is a summary.
+void trim_summary(RowModel& model, const TableSample& sample, const Run& run) {
+  constexpr std::size_t kMaxRows = 4;
+  std::size_t first = run.last;
+  while (first > run.first && model.is_row[first - 1] != 0) --first;
+  if (first == run.first || run.last - first >= kMaxRows) return;
+  for (std::size_t i = first; i <= run.last; ++i)
+    if (ends_no_run(model, sample, i)) {
+      std::fill(model.is_row.begin() + at(first), model.is_row.begin() + at(run.last + 1), 0);
+      return;
+    }
+}
+
 /// Takes away what looks like a row at the ends of runs, and runs of one row above the largest.
 void trim_runs(RowModel& model, const TableSample& sample) {
   const auto is_row = [&](std::size_t i) { return model.is_row[i] != 0; };
@@ -209,7 +222,10 @@ void trim_runs(RowModel& model, const TableSample& sample) {
         break;
     if (i == run.last && begins_no_run(model, model.lines[i])) ++i;
     std::fill(model.is_row.begin() + at(run.first), model.is_row.begin() + at(i), 0);
-    for (i = run.last; is_row(i) && ends_no_run(model, sample, i);) {
+    trim_summary(model, sample, run);
+    i = run.last;
+    while (i > run.first && !is_row(i)) --i;
+    while (is_row(i) && ends_no_run(model, sample, i)) {
       model.is_row[i] = 0;
       while (i > run.first && !is_row(i)) --i;
     }
@@ -247,10 +263,13 @@ void choose_format(RowModel& model) {
 
 std::string_view comment_mark(std::string_view line, Separator separator) {
   constexpr std::array<std::string_view, 8> kMarks{"//", "**", "#", "%", "!", ";", "*", "'"};
-  line = without_quote(trimmed(line));
+  line = trimmed(line);
+  const bool is_quoted = line.starts_with('"');
+  line = without_quote(line);
   for (const auto mark : kMarks) {
     if (!line.starts_with(mark) || mark.front() == character(separator)) continue;
-    const char next = mark.size() < line.size() ? line[mark.size()] : ' ';
+    char next = mark.size() < line.size() ? line[mark.size()] : ' ';
+    if (is_quoted && next == '"') next = character(separator);
     const bool is_name = next == character(separator) && mark != "%";
     const bool is_text = is_name || next == ' ' || next == '(' || next == '[' ||
                          static_cast<unsigned char>(next) >= 0x80 || (next >= '0' && next <= '9') ||

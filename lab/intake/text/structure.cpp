@@ -113,8 +113,9 @@ void take_lines(TableStructure& table, const TableSample& sample, const RowModel
   if (!is_end && (sample.whole || rows.last >= sample.first.size()))
     table.last_row_line = sample.number(rows.last);
   const auto is_heading = [&](std::size_t i) {
-    return std::ranges::any_of(
-        headings.lines, [&](std::size_t line) { return sample.line(line) == sample.line(i); });
+    const auto is_same = [&](std::size_t line) { return sample.line(line) == sample.line(i); };
+    return std::ranges::any_of(headings.lines, is_same) ||
+           (headings.unit_line && is_same(*headings.unit_line));
   };
   for (std::size_t i = rows.first; i < rows.last; ++i)
     if (rows.is_row[i] == 0 && !rows.lines[i].is_blank() &&

@@ -16,6 +16,7 @@ TEST_CASE("Row model: a comment mark is followed by text") {
   CHECK(comment_mark("  // time", Separator::comma) == "//");
   CHECK(comment_mark("\"# time\",x", Separator::comma) == "#");
   CHECK(comment_mark("#;time", Separator::semicolon) == "#");
+  CHECK(comment_mark("\"#\",\"kPa\"", Separator::comma) == "#");
   CHECK(comment_mark("; time", Separator::comma) == ";");
   CHECK(comment_mark("; time", Separator::semicolon).empty());
   CHECK(comment_mark("%\tkPa", Separator::tab).empty());
@@ -39,6 +40,12 @@ TEST_CASE("Row model: rows, width and format of the right separator") {
   CHECK(rows.purity == 1);
   CHECK(rows.coverage == Approx(3.0 / 5));
   CHECK(rows.is_value_column(1));
+}
+
+TEST_CASE("Row model: a summary behind a blank line is no part of the rows") {
+  const std::string rows = "s;t;q\nShear;0;1\nShear;1;2\nShear;2;3\nShear;3;4\nShear;4;5\n";
+  CHECK(rows_of(rows + "\nMax;4;5\nShear;2;3\n", Separator::semicolon).last == 5);
+  CHECK(rows_of(rows + "\nShear;5;6\nShear;6;7\n", Separator::semicolon).last == 8);
 }
 
 TEST_CASE("Row model: a wrong separator explains less") {
