@@ -34,7 +34,6 @@ double evidence_of(NameMatch how) {
   return 0;
 }
 
-constexpr double kUnnamed = -5;            ///< only the unit shows which quantities a column can be
 constexpr double kUnused = -7;             ///< a column that has a name, but is not used
 constexpr double kUnusedUnnamed = -2;      ///< a column without a name needs readings that prove it
 constexpr double kOpenSign = -0.3;         ///< the less usual of two usual signs
@@ -104,6 +103,12 @@ bool is_name_in(const auto& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
+/// Evidence of a quantity that only the unit of a column shows: one of many, or one of few.
+double evidence_of_unit(const LexiconQuantity& quantity) {
+  constexpr std::array kOfFew{"axial_force", "axial_displacement", "current_area", "time"};
+  return is_name_in(kOfFew, quantity.name) ? -2 : -5;
+}
+
 /// True if a hint about the sign is for this heading.
 bool names_heading(const SignHint& hint, const std::string& heading) {
   const QString key = heading_key(repair_heading(heading));
@@ -141,15 +146,13 @@ class Readings {
       add(*one.quantity, one.how, evidence_of_name(one, names) + rank);
       rank += kPerRank;
     }
-    if (names.candidates.empty())
-      add_unnamed();
-    else
-      add_parts(names);
+    if (!names.candidates.empty()) add_parts(names);
+    if (all_.empty()) add_unnamed();
     std::ranges::stable_sort(all_, std::greater<>(), &ColumnReading::evidence);
     const double best = all_.empty() ? 0 : all_.front().evidence;
     std::erase_if(all_, [&](const ColumnReading& one) { return one.evidence < best - kFarBehind; });
     if (all_.size() > kMaxReadings) all_.resize(kMaxReadings);
-    const bool is_named = !names.candidates.empty();
+    const bool is_named = !all_.empty() && all_.front().name;
     all_.push_back({.evidence = all_.empty() ? 0 : is_named ? best + kUnused : kUnusedUnnamed});
   }
   std::vector<ColumnReading> take() { return std::move(all_); }
@@ -206,13 +209,13 @@ class Readings {
     for (const char* name : kUnnamedQuantities)
       if (const auto* quantity = find_lexicon_quantity(name))
         if (quantity->dimension != "none" || is_name_in(kStrains, name))
-          add(*quantity, {}, kUnnamed);
+          add(*quantity, {}, evidence_of_unit(*quantity));
   }
 
   void add(const LexiconQuantity& quantity, std::optional<NameMatch> how, double evidence) {
     const bool is_text = quantity.dimension == "text" || quantity.dimension == "any" ||
                          quantity.dimension == "clock";
-    if (quantity.dimension == "clock" && column_.is_number && how == NameMatch::borrowed) return;
+    if (quantity.dimension == "clock" && column_.is_number) return;  // no number of an instant
     if (is_text || !column_.is_number) {
       constexpr double kTimeInWords = -2;  // unless the cells are clocks, which is found later
       const bool is_time = quantity.dimension == "time";

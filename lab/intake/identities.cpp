@@ -208,6 +208,8 @@ void add_courses(std::vector<Identity>& all) {
       course("u begins at the back pressure", {kU, "back_pressure"}, same_start_evidence, -3, 1));
   all.push_back(course("Δu begins at 0", {kExcess}, start_at_zero_evidence, -4, 1.5));
   all.push_back(course("u begins above 0", {kU}, start_above_zero_evidence, -4, 0.5));
+  all.push_back(course("σ1′/σ3′ begins above 0", {"principal_stress_ratio"},
+                       start_above_zero_evidence, -4, 0.5));
   all.push_back(course("strain reaches 1.5 %", {kStrain}, strain_range_evidence, -3, 0));
   all.push_back(course("displacement reaches 0.5 mm", {"axial_displacement"},
                        displacement_range_evidence, -3, 0));

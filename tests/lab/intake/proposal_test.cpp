@@ -115,6 +115,43 @@ TEST_CASE("propose: units and codes at the edges", "[intake]") {
     return fmt::format("{},{:.1f}", i == 4 ? 9999 : 2500 * i, q_of(i));
   }));
   CHECK(times.table.missing.empty());
+  const Proposal volumes = proposal_of(table("Axial strain (%),ΔV (mm³),q (kPa)", [](int i) {
+    return fmt::format("{},{},{:.1f}", i, i == 10 || i == 11 ? "-9999.0" : std::to_string(-970 * i),
+                       q_of(i));
+  }));
+  CHECK(volumes.table.missing.size() == 2);
+}
+
+TEST_CASE("propose: the unit of an unknown name and the readings decide", "[intake]") {
+  const Proposal found = proposal_of(table("MW 7 (mm),MW 9 (N),q (kPa)", [](int i) {
+    return fmt::format("{:.2f},{:.1f},{:.1f}", 0.5 * i, q_of(i) / (1 - 0.005 * i), q_of(i));
+  }));
+  CHECK(quantity_of(found, 0) == "axial_displacement");
+  CHECK(quantity_of(found, 1) == "axial_force");
+  // One of many pressures, and a length that does not change.
+  const Proposal open = proposal_of(table("MW 7 (mm),MW 9 (kPa),ε1 (%),q (kPa)", [](int i) {
+    return fmt::format("70.00,{:.1f},{:.1f},{:.1f}", 100 + 7.3 * (i % 3), 0.5 * i, q_of(i));
+  }));
+  CHECK(quantity_of(open, 1).empty());
+}
+
+TEST_CASE("propose: a column of numbers is a clock by its cells, not by its name", "[intake]") {
+  const auto row = [](int i) {
+    return fmt::format("{},{:.2f},{:.1f},{:.4f}", 1773124224 + 60 * i, 0.5 * i, q_of(i),
+                       0.7 - 1e-3 * i);
+  };
+  const Proposal found = proposal_of(table("MW 7,ε1 (%),q (kPa),Fecha", row));
+  CHECK(quantity_of(found, 0) == "clock");
+  CHECK(quantity_of(found, 3).empty());
+}
+
+TEST_CASE("propose: repeated headings with a quoted comment mark are no rows", "[intake]") {
+  std::string text = "\"# t\",\"q\"\n\"# s\",\"kPa\"\n";
+  for (int i = 0; i < 12; ++i) {
+    if (i == 6) text += "\"# t\",\"q\"\n\"# s\",\"kPa\"\n";
+    text += fmt::format("\"{}\",\"{:.1f}\"\n", 60 * i, q_of(i));
+  }
+  CHECK(proposal_of(text).table.row_lines.size() == 12);
 }
 
 TEST_CASE("propose: units of the software hold for reversed rows too", "[intake]") {
