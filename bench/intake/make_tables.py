@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""make_tables.py --seed N --count M --out FOLDER [--trait KEY=VALUE]... [--list-traits]
+"""make_tables.py --seed N --count M --out FOLDER [--trait KEY=VALUE]... [--names FILE] [--invented SHARE] [--list-traits]
 
 Writes M table files of triaxial tests, as laboratories and loggers write them, and for each of them NAME.expected.toml with the meaning
 that a reader should find. Its keys:
@@ -36,7 +36,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from tables import cells, clocks, columns as columns_of, expected, faults, layout, questions, specimen, traits as traits_of  # noqa: E402
 from tables.layout import Line  # noqa: E402
-from tables.names import FIRST_PUBLISHED_SEED, Names  # noqa: E402
+from tables.names import FIRST_PUBLISHED_SEED, Names, replace_names  # noqa: E402
 from tables.units import Units  # noqa: E402
 from tables.workbook import Date, letters, workbook  # noqa: E402
 
@@ -237,11 +237,11 @@ def head_of(name, lines, traits, missing, test, quantities, asks, sheet, tests, 
     return head
 
 
-def make_file(seed, index, forced, name=None):
+def make_file(seed, index, forced, name=None, invented=0.0):
     """(file name, bytes, expected TOML) of the file `index` of a seed. It does not depend on the number of files."""
     random = randomness.Random(f"triax intake {seed} {index}")
     traits = traits_of.draw(random, forced)
-    names = Names(random, traits, held_back=seed >= FIRST_PUBLISHED_SEED)
+    names = Names(random, traits, held_back=seed >= FIRST_PUBLISHED_SEED, invented=invented)
     plan = columns_of.Plan(random, traits, names, Units(random, traits, names.codec))
     tests = simulated(random, plan, traits)
     begin, filled = None, []
@@ -305,6 +305,9 @@ def arguments():
     parser.add_argument("--count", type=int, default=100, help="number of files [100]")
     parser.add_argument("--out", type=pathlib.Path, help="folder for the files")
     parser.add_argument("--trait", action="append", default=[], metavar="KEY=VALUE", help="fix a trait (repeatable)")
+    parser.add_argument("--invented", type=float, default=0.0, metavar="SHARE", help="share of columns whose name says nothing [0]")
+    parser.add_argument("--names", type=pathlib.Path, metavar="FILE",
+                        help="names of columns instead of the listed ones: lines of quantity, language and name, with tabs between them")
     parser.add_argument("--list-traits", action="store_true", help="print the traits with their values and exit")
     return parser
 
@@ -330,10 +333,12 @@ def main():
     unknown = set(forced) - set(traits_of.NAMES)
     if unknown:
         parser.error(f"unknown trait {', '.join(sorted(unknown))}; must be one of: {', '.join(traits_of.NAMES)}")
+    if options.names:
+        replace_names(options.names)
     options.out.mkdir(parents=True, exist_ok=True)
     for index in range(options.count):
         try:
-            name, data, toml = make_file(options.seed, index, forced)
+            name, data, toml = make_file(options.seed, index, forced, invented=options.invented)
         except ValueError as error:
             if "no file has these traits" not in str(error):
                 raise

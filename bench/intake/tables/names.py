@@ -7,6 +7,9 @@ import unicodedata
 TABLE = tomllib.loads((pathlib.Path(__file__).parent / "headings.toml").read_text(encoding="utf-8"))
 LANGUAGES = ["en", "de", "fr", "es", "pt", "it", "zh", "ru", "ja"]
 FIRST_PUBLISHED_SEED = 1000
+# Names that say nothing.
+INVENTED = ["Kanal {}", "Ch{}", "Wert_{}", "Grandeur {}", "Sensor {}", "Valor {}", "X{}", "MW{}", "Parametro {}", "gemessen {}",
+            "Value {}"]
 UMLAUTS = str.maketrans({"ä": "ae", "ö": "oe", "ü": "ue", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue", "ß": "ss"})
 
 
@@ -25,11 +28,23 @@ def without_accents(text, language):
     return "".join(unicodedata.normalize("NFD", c)[0] if "À" <= c <= "ſ" else c for c in text)
 
 
+def replace_names(path):
+    """Takes the names of columns from lines of quantity, language and name, for the languages and quantities that are in the file."""
+    given = {}
+    for line in path.read_text(encoding="utf-8").splitlines():
+        quantity, language, name = line.split("\t")
+        if quantity in TABLE["columns"]:
+            given.setdefault((quantity, language), []).append(name)
+    for (quantity, language), names in given.items():
+        TABLE["columns"][quantity][language] = names
+
+
 class Names:
     """Draws names for one file: one language, one code page, no name twice."""
 
-    def __init__(self, random, traits, held_back):
-        self.random, self.traits, self.held_back = random, traits, held_back
+    def __init__(self, random, traits, held_back, invented=0.0):
+        """`invented`: the share of columns whose name says nothing."""
+        self.random, self.traits, self.held_back, self.invented = random, traits, held_back, invented
         self.language = traits["language"]
         self.codec = {"utf-8-sig": "utf-8", "xlsx": "utf-8"}.get(traits["encoding"], traits["encoding"])
         self.used = set()
@@ -55,6 +70,8 @@ class Names:
         return name
 
     def column(self, key, with_unit=True, only_symbol=False):
+        if self.invented and self.random.random() < self.invented:
+            return self.random.choice(INVENTED).format(len(self.used) + self.random.randrange(2, 90))
         entry = TABLE["columns"][key]
         style = self.traits["heading_style"]
         order = [self.language, "en", "short", "symbols"]
