@@ -30,8 +30,10 @@ bool falls(const PathPoint& from, const PathPoint& to) {
 
 void AxisRest::start_stage(const StageInfo* stage, bool has_time) {
   const auto unlikely = unlikely_;
+  const double q_at_unlikely = q_at_unlikely_;
   *this = AxisRest();
   unlikely_ = unlikely;
+  q_at_unlikely_ = q_at_unlikely;
   has_time_ = has_time;
   looks_ = !stage || stage->control == AxialControl::displacement ||
            stage->control == AxialControl::unknown;
@@ -83,7 +85,13 @@ void AxisRest::watch_fall(const PathPoint& point) {
   const double share = 1 - strength(point) / strength_at_stop_;
   const bool dead = std::fabs(advance(point)) < kDead * typical_ * lapse(*slow_from_, point);
   if (!(share > kUnlikely) || !dead || !stopped_under_load_) return;
-  if (!unlikely_ || unlikely_->reading == stopped_at_) unlikely_ = Fall{stopped_at_, share};
+  if (unlikely_ && unlikely_->reading != stopped_at_) return;
+  unlikely_ = Fall{stopped_at_, share};
+  q_at_unlikely_ = std::copysign(strength_at_stop_, middle(*slow_from_, PathSample::q));
+}
+
+void AxisRest::watch_reversal(const PathPoint& point) {
+  if (unlikely_ && middle(point, PathSample::q) / q_at_unlikely_ < -kReversed) unlikely_.reset();
 }
 
 void AxisRest::doubt(const PathPoint& point, double now) {
@@ -109,6 +117,7 @@ void AxisRest::doubt(const PathPoint& point, double now) {
 
 const std::vector<PathPoint>& AxisRest::add(const PathPoint& point) {
   out_.clear();
+  watch_reversal(point);
   const bool known = looks_ && driven_ >= kKnown && before_;
   const double now = known ? rate(*before_, point) : 0;
   if (rests_ && now < kResumes * typical_) {

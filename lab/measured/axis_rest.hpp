@@ -22,8 +22,9 @@ class AxisRest {
   static constexpr double kSlow = 0.5, kResumes = 0.2, kRests = 0.1;
   static constexpr std::size_t kHeld = 64;
   /// A fall of |q| at rest, of what it was, that no relaxation explains: what was read as rest may
-  /// be a displacement transducer that is dead, and nothing is known of what followed.
-  static constexpr double kUnlikely = 0.3;
+  /// be a displacement transducer that is dead, and nothing is known of what followed. None where q
+  /// goes on to kReversed of it with the other sign: that is driven.
+  static constexpr double kUnlikely = 0.3, kReversed = 0.1;
 
   struct Fall {
     std::int64_t reading = 0;  ///< where the rest began
@@ -49,13 +50,14 @@ class AxisRest {
   bool has_stopped(const PathPoint& point) const;
   void doubt(const PathPoint& point, double now);
   void watch_fall(const PathPoint& point);
+  void watch_reversal(const PathPoint& point);
 
   bool looks_ = false, has_time_ = true, rests_ = false;
   std::optional<PathPoint> before_;     ///< the last one, of whatever kind
   std::optional<PathPoint> slow_from_;  ///< since when it is slower than kResumes
   double typical_ = 0;                  ///< rate while driven
   int driven_ = 0;
-  double strength_at_stop_ = 0;
+  double strength_at_stop_ = 0, q_at_unlikely_ = 0;
   bool stopped_under_load_ = false;
   std::int64_t stopped_at_ = 0;
   std::vector<PathPoint> held_, out_;

@@ -115,6 +115,26 @@ TEST_CASE("q that is lost while the strain does not move at all leaves the rest 
   CHECK(c.judged_until_reason.find("axial strain did not move") != std::string::npos);
 }
 
+TEST_CASE("q that goes on to the other sign was driven while the strain did not move") {
+  SyntheticPath path = hardening().path;
+  const auto judged_until_the_end = [&](double last_share) {
+    CollapseMonitor monitor(undrained_header());
+    for (int i = 0; i < 2300; ++i) {
+      const double share = i <= 800 ? 1 : std::max(last_share, 1 - (i - 800) / 800.0);
+      State s = path.state(std::min(i, 800));
+      s.reading = i;
+      s.time_s = path.state(i).time_s;
+      s.p_eff += (share - 1) * s.q / 3;
+      s.strain.axial -= std::max(0.0, 0.3 - share) * 1e-3;  // at first below the digits
+      s.q *= share;
+      monitor.watch(s);
+    }
+    return monitor.finish().judged;
+  };
+  CHECK(judged_until_the_end(-0.5));
+  CHECK_FALSE(judged_until_the_end(0.3));
+}
+
 TEST_CASE("where there is no strength to lose, q about zero at rest leaves no doubt") {
   Drive drive = hardening();
   drive.path.q_peak = 2e3;  // of a p' of hundreds: noise and friction
