@@ -48,6 +48,10 @@ bool has_deviator(std::span<const Quantity> columns) {
 
 constexpr const char* kHeldPressure =
     "; a cell pressure that was held can be given with --set test.cell_pressure_kPa=...";
+constexpr const char* kStressBeforeShear =
+    "; excess_pore_pressure needs the stress before shear: cell_pressure and back_pressure as "
+    "columns, labels above the table or values of a dialect, or a label of the effective "
+    "consolidation stress";
 constexpr const char* kTotalStress =
     "; a test in total stresses needs no effective stress: --set test.programme=UU, or UC if it "
     "is unconfined";
@@ -73,7 +77,10 @@ std::string missing_channels(std::span<const Quantity> columns, bool total_stres
       joined(lacking), there.empty() ? "none" : joined(there));
   if (!may_be_total_stress(columns)) return text;
   if (!has_all(columns, {deviator_stress})) text += kHeldPressure;
-  if (!total_stress) text += kTotalStress;
+  if (has_all(columns, {excess_pore_pressure}))
+    text += kStressBeforeShear;
+  else if (!total_stress)
+    text += kTotalStress;
   return text;
 }
 

@@ -2,6 +2,9 @@
 #include "lab/records/table_layout.hpp"
 
 #include <algorithm>
+#include <initializer_list>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace triax::lab {
@@ -13,6 +16,49 @@ bool TableLayout::has(ColumnRole role) const {
   });
 }
 
+bool TableLayout::has(Quantity quantity) const {
+  return std::ranges::any_of(columns,
+                             [&](const PlannedColumn& column) {
+                               return column.role == ColumnRole::quantity &&
+                                      column.quantity == quantity;
+                             }) ||
+         std::ranges::find(dialect.constants, quantity, &RowConstant::quantity) !=
+             dialect.constants.end();
+}
+
+std::vector<RowConstant> TableLayout::constants() const {
+  using enum Quantity;
+  auto out = dialect.constants;
+  const auto has_any = [&](std::initializer_list<Quantity> all) {
+    return std::ranges::any_of(all, [&](Quantity one) { return has(one); });
+  };
+  const auto stated = [&](std::string_view name) -> std::optional<double> {
+    constexpr double kKilo = 1e3;
+    const auto label = std::ranges::find(labels, name, &LabelValue::name);
+    if (label == labels.end() || label->is_ambiguous || !label->value) return std::nullopt;
+    return *label->value * kKilo;
+  };
+  if (has_any({pore_pressure, back_pressure, effective_axial_stress, effective_radial_stress,
+               mean_effective_stress}))
+    return out;
+  const bool drains =
+      has_any({volumetric_strain, back_volume}) ||
+      std::ranges::any_of(columns, [](const PlannedColumn& column) {
+        return column.role == ColumnRole::source && column.source == SourceQuantity::volume_change;
+      });
+  if (!has(excess_pore_pressure) && !drains) return out;
+  const Quantity second = has(excess_pore_pressure) ? back_pressure : pore_pressure;
+  const bool has_cell = has_any({cell_pressure, radial_stress, axial_stress});
+  if (const auto back = stated("back_pressure")) {
+    out.push_back({second, *back});
+  } else if (const auto effective = stated("effective_consolidation_stress");
+             effective && !has_cell && !stated("cell_pressure")) {
+    out.push_back({cell_pressure, *effective});
+    out.push_back({second, 0});
+  }
+  return out;
+}
+
 RowCompletion TableLayout::completion() const {
   std::vector<Quantity> measured;
   std::vector<SourceQuantity> sources;
@@ -20,7 +66,7 @@ RowCompletion TableLayout::completion() const {
     if (column.role == ColumnRole::quantity) measured.push_back(column.quantity);
     if (column.role == ColumnRole::source) sources.push_back(column.source);
   }
-  return {std::move(measured), sources, dialect.constants};
+  return {std::move(measured), sources, constants()};
 }
 
 std::vector<Quantity> TableLayout::quantities() const { return completion().quantities(); }

@@ -68,6 +68,11 @@ struct TableLayout {
 
   /// A time is also a date, a time of day or both.
   bool has(ColumnRole role) const;
+  bool has(Quantity quantity) const;  ///< as a column or a constant of the dialect
+  /// Those of the dialect, and pressures that `labels` state and no column or constant has: the
+  /// back pressure beside Δu, or as the pore pressure of a test that drains; else the effective
+  /// consolidation stress as the cell pressure, with a back pressure of 0.
+  std::vector<RowConstant> constants() const;
   /// Columns, constants and what follows from them.
   std::vector<Quantity> quantities() const;
   RowCompletion completion() const;

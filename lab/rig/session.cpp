@@ -416,6 +416,11 @@ void SessionRun::summarise() {
     summary_.warnings.insert(summary_.warnings.end(), warnings.begin(), warnings.end());
   if (!options_.earlier.empty()) summary_.warnings.push_back({0, told_of(options_.earlier)});
   if (caveat) summary_.warnings.push_back({0, "the onset of collapse is " + *caveat});
+  if (const auto& c_u = summary_.undrained_strength; c_u && c_u->at.q_pa < 0)
+    summary_.warnings.push_back(
+        {0,
+         "q is negative: c_u is that of extension, in which the area decreases; if compression "
+         "is negative in the file, write sign = -1 for force and displacement in a dialect"});
 }
 
 }  // namespace

@@ -164,6 +164,17 @@ TEST_CASE("UU and UC: c_u from raw channels", "[kinds]") {
   }
 }
 
+TEST_CASE("UU: a negative q is reported, as extension or another sign", "[kinds]") {
+  const auto c_u_of = [](int sign) {
+    std::string text = "axial_displacement_mm,axial_force_N,cell_pressure_kPa\n";
+    for (int i = 0; i <= 30; ++i)
+      text += fmt::format("{:.2f},{:.1f},200\n", sign * 0.5 * i, sign * 150 * std::tanh(0.2 * i));
+    return replayed(text, with(kDimensions, "test.programme", "UU")).summary;
+  };
+  CHECK_THAT(all_warnings(c_u_of(-1)), Contains("write sign = -1"));
+  CHECK(all_warnings(c_u_of(1)).find("sign = -1") == std::string::npos);
+}
+
 TEST_CASE("UU and UC: c_u from reduced tables", "[kinds]") {
   for (const char* type : {"UU", "UC"})
     check_c_u(
