@@ -76,19 +76,20 @@ TEST_CASE("replay --interactive: unit of time and cell pressure are asked") {
   CHECK(here.has("triax.db"));
 }
 
-TEST_CASE("replay --interactive: Enter accepts usual values, but not the test") {
+TEST_CASE("replay --interactive: Enter accepts usual units, but not the test") {
   const Workplace here;
-  const Outcome outcome = talk(here, kOpenTime, "\n\n\n");
+  const Outcome outcome = talk(here, kOpenTime, "\n300\n\n");
   CHECK(shows(outcome.out, "[y/N/s]"));
   check_nothing_stored(here, outcome);
 }
 
-TEST_CASE("replay --interactive: height and diameter are asked, with usual values") {
+TEST_CASE("replay --interactive: height and diameter are asked until they are typed") {
   const Workplace here;
-  const Outcome outcome = talk(here, kRaw, "100\n\ny\n");
+  const Outcome outcome = talk(here, kRaw, "100\n\n50\ny\n");
   CHECK(outcome.status == 0);
-  CHECK(shows(outcome.out, "answer in mm [76]"));
-  CHECK(shows(outcome.out, "answer in mm [50]"));
+  CHECK(shows(outcome.out, "answer in mm, such as 76"));
+  CHECK(shows(outcome.out, "answer in mm, such as 50"));
+  CHECK(shows(outcome.out, "results depend on it"));
   CHECK(shows(outcome.out, "0.00 % to 3.00 %"));
 }
 
@@ -281,8 +282,8 @@ TEST_CASE("replay --interactive: a pressure above the table is held or asked for
   const Outcome total = talk(here, "Cell pressure (kPa),300,,\n" + table, "\n");
   CHECK(total.status == 0);
   CHECK(shows(total.out, "p' at the start  100.0 kPa"));
-  const Outcome effective = talk(here, "Cell pressure (kPa),150,,\n" + table, "\ny\n");
+  const Outcome effective = talk(here, "Cell pressure (kPa),150,,\n" + table, "350\ny\n");
   CHECK(effective.status == 0);
-  CHECK(shows(effective.out, "answer in kPa [350]"));
+  CHECK(shows(effective.out, "answer in kPa, such as 350"));
   CHECK(shows(effective.out, "p' at the start  150.0 kPa"));
 }

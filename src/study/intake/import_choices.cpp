@@ -111,27 +111,6 @@ bool is_answered(const lab::TableQuestion& question, const ImportChoices& choice
   return has_cell && has_pore;
 }
 
-/// Held pressures that are above a table with total stresses.
-void take_held_pressures(const lab::Proposal& proposal, ImportChoices& choices) {
-  const auto has_any = [&](const auto& names) {
-    return std::ranges::any_of(names, [&](const char* name) { return proposal.has(name); });
-  };
-  if (has_any(std::array{"effective_axial_stress", "effective_radial_stress",
-                         "mean_effective_stress", "mean_effective_stress_2d"}))
-    return;
-  const auto above = [&](const char* name) -> std::optional<double> {
-    const lab::LabelValue* const label = proposal.label(name);
-    return label && !label->is_ambiguous ? label->value : std::nullopt;
-  };
-  const auto cell = above("cell_pressure"), back = above("back_pressure");
-  const bool has_cell =
-      has_any(std::array{"cell_pressure", "radial_stress", "axial_stress", "mean_stress"});
-  const bool is_total = cell > first_value(proposal, "pore_pressure");  // else an effective stress
-  if (!has_cell && cell && is_total) choices.set_constant("cell_pressure", *cell, "kPa");
-  if (!has_any(std::array{"pore_pressure", "back_pressure"}) && back)
-    choices.set_constant(second_pressure(choices), *back, "kPa");
-}
-
 ColumnChoice usual_choice(const lab::Proposal& proposal, std::size_t i) {
   const lab::TableColumn& column = proposal.table.columns[i];
   const lab::ColumnReading& reading = proposal.meaning.columns[i].reading;
@@ -220,7 +199,6 @@ ImportChoices usual_choices(const lab::Proposal& proposal, const ImportSource& s
     out.columns.push_back(usual_choice(proposal, i));
   for (const lab::GaugeColumn& gauge : lab::find_gauge_columns(proposal))
     if (gauge.scale) take_gauge(gauge, out.columns[gauge.column]);
-  take_held_pressures(proposal, out);
   return out;
 }
 

@@ -43,7 +43,7 @@ ImportQuestion programme_question() {
 bool is_programme_open(const lab::Proposal& proposal, const ImportChoices& choices) {
   return !proposal.type && choices.programme.empty() && !choices.has_toml_preamble &&
          !choices.constant("pore_pressure") && !choices.constant("back_pressure") &&
-         lab::is_without_pore_pressure(proposal);
+         !proposal.label("back_pressure") && lab::is_without_pore_pressure(proposal);
 }
 
 std::optional<ImportQuestion> question_for(const lab::Proposal& proposal,

@@ -119,7 +119,10 @@ ImportQuestion value_question(const lab::Proposal& proposal, const ImportChoices
 bool is_value_open(const lab::Proposal& proposal, const ImportChoices& choices,
                    std::string_view name) {
   const auto has = [&](const char* quantity) { return proposal.has(quantity); };
-  const bool has_cell = has("cell_pressure") || choices.constant("cell_pressure");
+  const lab::LabelValue* const stated = proposal.label("cell_pressure");
+  const bool is_stated = stated && !stated->is_ambiguous &&
+                         stated->value > first_value(proposal, "pore_pressure");  // else effective
+  const bool has_cell = has("cell_pressure") || choices.constant("cell_pressure") || is_stated;
   if (name == "cell pressure")
     return has("pore_pressure") && !has_cell &&
            std::ranges::none_of(

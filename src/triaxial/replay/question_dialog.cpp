@@ -80,10 +80,17 @@ void QuestionDialog::ask_open_questions() {
 /// True if the question is answered, false if another column was corrected instead.
 bool QuestionDialog::ask(const ImportQuestion& question) {
   say(list_of(question));
-  const std::string prompt = fmt::format("answer{}{} [{}]: ", question.unit.empty() ? "" : " in ",
-                                         question.unit, usual_of(question));
+  const bool is_measured = question.about == ImportQuestion::About::value;
+  const std::string prompt =
+      is_measured ? fmt::format("answer in {}, such as {}: ", question.unit, question.usual)
+                  : fmt::format("answer{}{} [{}]: ", question.unit.empty() ? "" : " in ",
+                                question.unit, usual_of(question));
   while (true) {
     const std::string text = line(prompt);
+    if (is_measured && text.empty()) {
+      report("The file does not decide this value, and results depend on it: type it, or q.");
+      continue;
+    }
     if (text == "?") {
       report(question.explanation +
              (question.answers.empty() ? "" : " Another answer of this kind can be typed."));
