@@ -56,31 +56,36 @@ std::string_view cell_of(const Cells& cells, std::size_t cell) {
   return cell < cells.size() ? cells[cell] : std::string_view();
 }
 
-/// A code for "no value", unless it is positive and between the values of the rows beside it: a
-/// time of 9999 s.
+/// A code for "no value", unless it is between the values of the rows beside it, a negative one with
+/// as many digits as the value before: a time of 9999 s, a stress of -999.0 kPa.
 bool is_code(const Rows& rows, std::size_t row, std::size_t cell, NumberFormat format, double value,
-             double before) {
+             std::string_view before_text, double before) {
   if (!means_no_value(value, before)) return false;
   double after = kMissing;
   if (row + 1 < rows.cells.size())
     parse_number_cell(cell_of(rows.cells[row + 1], cell), format, after);
-  return value < 0 || !((before < value && value < after) || (before > value && value > after));
+  const bool is_between = (before < value && value < after) || (before > value && value > after);
+  const std::string_view text = cell_of(rows.cells[row], cell);
+  return !is_between || (value < 0 && half_unit_of(text) != half_unit_of(before_text));
 }
 
 Numbers numbers_of(const Rows& rows, std::size_t cell, const TableStructure& structure) {
   Numbers out;
   double before = kMissing;
+  std::string_view before_text;
   const NumberFormat format{structure.decimal, structure.thousands};
   for (std::size_t row = 0; row < rows.cells.size(); ++row) {
     const std::string_view text = cell_of(rows.cells[row], cell);
     double value = kMissing;
     const CellKind kind = parse_number_cell(text, format, value);
     const bool is_number =
-        kind == CellKind::number && !is_code(rows, row, cell, format, value, before);
+        kind == CellKind::number &&
+        !is_code(rows, row, cell, format, value, before_text, before);
     if (is_number) {
       ++out.numbers;
       out.half_unit = std::min(out.half_unit, half_unit_of(text));
       before = value;
+      before_text = text;
     } else if (kind == CellKind::text) {
       ++out.texts;
     } else {

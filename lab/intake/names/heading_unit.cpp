@@ -54,14 +54,15 @@ NameAndUnit split_bracket(const QString& text) {
 /// The unit behind the last `separator`.
 NameAndUnit split_at(const QString& text, const QString& separator, const IsName& is_name) {
   const bool is_strong = separator == u"," || separator == u"/";
+  const auto can_end = [](const QString& unit, const std::vector<const UnitName*>& units) {
+    return unit.contains(u'/') || std::ranges::any_of(units, &UnitName::can_end_heading);
+  };
   // The longest unit first: "Load/kN/m2" is in kN/m2.
   for (qsizetype at = text.indexOf(separator); at >= 0; at = text.indexOf(separator, at + 1)) {
     const QString unit = text.sliced(at + separator.size());
     const QString name = without_outer(text.first(at), u" _,/");
     const auto units = find_units(unit);
-    if (units.empty() || (!is_strong && std::ranges::none_of(units, &UnitName::can_end_heading)) ||
-        !is_name(name, units))
-      continue;
+    if (units.empty() || !(is_strong || can_end(unit, units)) || !is_name(name, units)) continue;
     return {name, unit.trimmed()};
   }
   return {};

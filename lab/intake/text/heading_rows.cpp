@@ -344,6 +344,7 @@ bool has_unit_form(std::string_view cell) {
       (cell.back() == ')' || cell.back() == ']'))
     cell = trimmed(cell.substr(1, cell.size() - 2));
   if (cell.empty() || characters(cell) > kMaxUnit) return false;
+  if (cell.find_first_of("([", 1) != std::string_view::npos) return false;  // "d [mm]" is a name
   std::string word = folded(cell);
   if (word.starts_with("0.01 ") || word.starts_with("0.001 ")) word.erase(0, word.find(' ') + 1);
   // "kgf/cm²" by its first part, "mm³" and "mm^3" without the power.

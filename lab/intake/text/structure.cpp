@@ -36,6 +36,21 @@ double score_of(const Candidate& one, std::size_t rank) {
   return rows * (1 + kOfHeadings * one.headings.coverage) - kPerRank * static_cast<double>(rank);
 }
 
+/// True if the headings have tabs, and most rows: these separate, and not the blanks.
+bool has_tabs(const TableSample& sample, const Candidate& one) {
+  const auto has_tab = [&](std::size_t i) {
+    return sample.line(i).find('\t') != std::string::npos;
+  };
+  if (!std::ranges::all_of(one.headings.lines, has_tab)) return false;
+  std::size_t tabs = 0, all = 0;
+  for (std::size_t i = 0; i < sample.size(); ++i) {
+    if (one.rows.is_row[i] == 0) continue;
+    ++all;
+    tabs += has_tab(i) ? 1 : 0;
+  }
+  return 2 * tabs > all;
+}
+
 /// The cells above a column, joined. The name of a group is written once, above its first column.
 std::vector<std::string> joined_headings(const HeadingRows& headings, std::size_t from,
                                          std::size_t width) {
@@ -185,6 +200,9 @@ StructureResult find_structure(const TableSample& sample) {
     if (one.rows.width > 1) {
       one.headings = find_heading_rows(sample, one.rows);
       one.score = score_of(one, rank);
+      constexpr double kWithTabs = 0.7;
+      const bool is_blanks = character(one.rows.separator) == 0;
+      if (is_blanks && has_tabs(sample, one)) one.score *= kWithTabs;
     }
     candidates.push_back(std::move(one));
   }

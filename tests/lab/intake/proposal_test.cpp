@@ -120,6 +120,10 @@ TEST_CASE("propose: units and codes at the edges", "[intake]") {
                        q_of(i));
   }));
   CHECK(volumes.table.missing.size() == 2);
+  const Proposal stresses = proposal_of(table("Axial strain (%),σ1 (kPa),q (kPa)", [](int i) {
+    return fmt::format("{},{:.1f},{:.1f}", -i, -770 - 76.33 * i, -q_of(i));  // i = 3: -999.0
+  }));
+  CHECK(stresses.table.missing.empty());
 }
 
 TEST_CASE("propose: the unit of an unknown name and the readings decide", "[intake]") {

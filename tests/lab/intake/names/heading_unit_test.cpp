@@ -37,6 +37,7 @@ TEST_CASE("split_unit: behind a separator the rest must be a name") {
   CHECK(split_text("Foo / mm", "Foo") == "Foo|mm");
   CHECK(split_text("Foo N/mm²", "Foo") == "Foo|N/mm2");
   CHECK(split_text("FooMM", "Foo") == "Foo|MM");
+  CHECK(split_text("Foo m/m", "Foo") == "Foo|m/m");
   CHECK(split_text("Foo ratio", "Foo") == "Foo ratio|");
   CHECK(split_text("Foo mm", "Foo mm") == "Foo mm|");
 }

@@ -49,6 +49,8 @@ TEST_CASE("Structure: separators and decimal marks") {
   CHECK(shape_of("Void ratio  q (kPa)\n0.7   1.5\n0.6   2.5\n") == "wide blanks . H1 U0 R2-0");
   CHECK(shape_of("\"t\",\"q\"\n\"0,0\",\"1,5\"\n\"1,0\",\"2,5\"\n") == "comma , H1 U0 R2-0");
   CHECK(shape_of("t;q;c\n0,0;1,5;a, b\n1,0;2,5;c, d\n") == "semicolon , H1 U0 R2-0");
+  CHECK(shape_of("\tElapsed time\te1\tq\n0\t0.0\t0.0\t1.5\n1\t1.0\t0.1\t2.5\n") ==
+        "tab . H1 U0 R2-0");
 }
 
 TEST_CASE("Structure: thousands marks") {
@@ -67,6 +69,8 @@ TEST_CASE("Structure: heading lines and units") {
         "comma . H1,2 U3 R4-0");
   CHECK(shape_of("t,q,u\ns,kPa,kPa\nAvg,Smp,Avg\n0,1,2\n1,2,3\n") == "comma . H1 U2 R4-0");
   CHECK(shape_of("Test,UU\nt,d,P\n[h],[mm],[kN]\n0,1,2\n1,2,3\n") == "comma . H2 U3 R4-0");
+  CHECK(shape_of("Time,Deformation,Load\nt,d [mm],F [kN]\n0,1,2\n1,2,3\n") ==
+        "comma . H1,2 U0 R3-0");
   CHECK(shape_of("t,q,u,p\n1,2,3,4\n0.5,1.5,2.5,3\n1,2,3.5,4\n") == "comma . H1 U0 R3-0");
   CHECK(shape_of("t  q  u\n-----  -----  -----\n0.5  1.5  2.5\n1  2  3.5\n") ==
         "wide blanks . H1 U0 R3-0");
