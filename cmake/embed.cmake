@@ -9,10 +9,11 @@ string(REPLACE " " ";" files "${FILES}")
 foreach(file IN LISTS files)
   file(READ "${file}" text)
   get_filename_component(name "${file}" ${part})
-  string(APPEND body "    {\"${name}\", R\"__triax__(${text})__triax__\"},\n")
+  string(APPEND body "    {\"${name}\", R\"__triax__(${text})__triax__\"sv},\n")
 endforeach()
 file(WRITE "${OUT}" "#include \"lab/base/embedded.hpp\"
 namespace triax::lab {
+using namespace std::string_view_literals;
 namespace { constexpr EmbeddedFile kFiles[] = {
 ${body}}; }
 extern const std::span<const EmbeddedFile> ${SYMBOL};
