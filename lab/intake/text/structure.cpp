@@ -36,7 +36,7 @@ double score_of(const Candidate& one, std::size_t rank) {
   return rows * (1 + kOfHeadings * one.headings.coverage) - kPerRank * static_cast<double>(rank);
 }
 
-/// True if the headings have tabs, and most rows: these separate, and not the blanks.
+/// True if the headings have tabs, and most rows: these separate, and not the spaces.
 bool has_tabs(const TableSample& sample, const Candidate& one) {
   const auto has_tab = [&](std::size_t i) {
     return sample.line(i).find('\t') != std::string::npos;
