@@ -56,8 +56,8 @@ std::string_view cell_of(const Cells& cells, std::size_t cell) {
   return cell < cells.size() ? cells[cell] : std::string_view();
 }
 
-/// A code for "no value", unless it is between the values of the rows beside it, a negative one with
-/// as many digits as the value before: a time of 9999 s, a stress of -999.0 kPa.
+/// A code for "no value", unless it is between the values of the rows beside it, a negative one
+/// with as many digits as the value before: a time of 9999 s, a stress of -999.0 kPa.
 bool is_code(const Rows& rows, std::size_t row, std::size_t cell, NumberFormat format, double value,
              std::string_view before_text, double before) {
   if (!means_no_value(value, before)) return false;
@@ -79,8 +79,7 @@ Numbers numbers_of(const Rows& rows, std::size_t cell, const TableStructure& str
     double value = kMissing;
     const CellKind kind = parse_number_cell(text, format, value);
     const bool is_number =
-        kind == CellKind::number &&
-        !is_code(rows, row, cell, format, value, before_text, before);
+        kind == CellKind::number && !is_code(rows, row, cell, format, value, before_text, before);
     if (is_number) {
       ++out.numbers;
       out.half_unit = std::min(out.half_unit, half_unit_of(text));
