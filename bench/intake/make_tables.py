@@ -22,6 +22,7 @@ that a reader should find. Its keys:
               sign_open: a volume that does not change has no sign; last_line: the last reading of a shorter test beside another
 Canonical units are s, mm, mm2, mm3, kN, kPa, degC and plain numbers. Compression, contraction, pressure and water into the specimen
 (back_volume) are positive; volume_change is the decrease of the specimen.
+--names takes names of columns from FILE, --invented gives a share of the columns names that say nothing: for development.
 --trait fixes a trait (repeatable), for example --trait language=zh --trait fill=1e30. --list-traits prints traits and values.
 The same seed gives the same files. Seeds below 1000 are for development. Published results use seeds from 1000 on, whose files also have
 headings that are held back from the others (~ in tables/headings.toml).

@@ -103,7 +103,8 @@ bool is_name_in(const auto& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// Evidence of a quantity that only the unit of a column shows: one of many, or one of few.
+/// Evidence of a quantity that only the unit of a column shows. Few quantities are lengths, many
+/// are pressures.
 double evidence_of_unit(const LexiconQuantity& quantity) {
   constexpr std::array kOfFew{"axial_force", "axial_displacement", "current_area", "time"};
   return is_name_in(kOfFew, quantity.name) ? -2 : -5;
@@ -215,7 +216,7 @@ class Readings {
   void add(const LexiconQuantity& quantity, std::optional<NameMatch> how, double evidence) {
     const bool is_text = quantity.dimension == "text" || quantity.dimension == "any" ||
                          quantity.dimension == "clock";
-    if (quantity.dimension == "clock" && column_.is_number) return;  // no number of an instant
+    if (quantity.dimension == "clock" && column_.is_number) return;  // these are no dates
     if (is_text || !column_.is_number) {
       constexpr double kTimeInWords = -2;  // unless the cells are clocks, which is found later
       const bool is_time = quantity.dimension == "time";

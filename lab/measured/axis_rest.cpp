@@ -30,10 +30,8 @@ bool falls(const PathPoint& from, const PathPoint& to) {
 
 void AxisRest::start_stage(const StageInfo* stage, bool has_time) {
   const auto unlikely = unlikely_;
-  const double q_at_unlikely = q_at_unlikely_;
   *this = AxisRest();
   unlikely_ = unlikely;
-  q_at_unlikely_ = q_at_unlikely;
   has_time_ = has_time;
   looks_ = !stage || stage->control == AxialControl::displacement ||
            stage->control == AxialControl::unknown;
@@ -82,22 +80,21 @@ bool AxisRest::has_stopped(const PathPoint& point) const {
 }
 
 void AxisRest::watch_fall(const PathPoint& point) {
-  const double share = 1 - strength(point) / strength_at_stop_;
+  const double share = 1 - strength(point) / std::fabs(q_at_stop_);
   const bool dead = std::fabs(advance(point)) < kDead * typical_ * lapse(*slow_from_, point);
   if (!(share > kUnlikely) || !dead || !stopped_under_load_) return;
   if (unlikely_ && unlikely_->reading != stopped_at_) return;
-  unlikely_ = Fall{stopped_at_, share};
-  q_at_unlikely_ = std::copysign(strength_at_stop_, middle(*slow_from_, PathSample::q));
+  unlikely_ = Fall{stopped_at_, share, q_at_stop_};
 }
 
 void AxisRest::watch_reversal(const PathPoint& point) {
-  if (unlikely_ && middle(point, PathSample::q) / q_at_unlikely_ < -kReversed) unlikely_.reset();
+  if (unlikely_ && middle(point, PathSample::q) / unlikely_->q < -kReversed) unlikely_.reset();
 }
 
 void AxisRest::doubt(const PathPoint& point, double now) {
   if (held_.empty()) {
-    strength_at_stop_ = strength(*before_);
-    stopped_under_load_ = strength_at_stop_ > kLeastRatio * middle(*before_, PathSample::p_eff);
+    q_at_stop_ = middle(*before_, PathSample::q);
+    stopped_under_load_ = strength(*before_) > kLeastRatio * middle(*before_, PathSample::p_eff);
     stopped_at_ = std::llround(before_->reading);
   }
   if (now >= kResumes * typical_)

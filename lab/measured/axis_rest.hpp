@@ -29,6 +29,7 @@ class AxisRest {
   struct Fall {
     std::int64_t reading = 0;  ///< where the rest began
     double share = 0;          ///< of |q| there
+    double q = 0;              ///< there
   };
 
   void start_stage(const StageInfo* stage, bool has_time);
@@ -57,7 +58,7 @@ class AxisRest {
   std::optional<PathPoint> slow_from_;  ///< since when it is slower than kResumes
   double typical_ = 0;                  ///< rate while driven
   int driven_ = 0;
-  double strength_at_stop_ = 0, q_at_unlikely_ = 0;
+  double q_at_stop_ = 0;
   bool stopped_under_load_ = false;
   std::int64_t stopped_at_ = 0;
   std::vector<PathPoint> held_, out_;

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "lab/results/test_type.hpp"
+
 namespace triax::lab {
 
 bool TableLayout::has(ColumnRole role) const {
@@ -41,12 +43,9 @@ std::vector<RowConstant> TableLayout::constants() const {
   if (has_any({pore_pressure, back_pressure, effective_axial_stress, effective_radial_stress,
                mean_effective_stress}))
     return out;
-  const bool drains =
-      has_any({volumetric_strain, back_volume}) ||
-      std::ranges::any_of(columns, [](const PlannedColumn& column) {
-        return column.role == ColumnRole::source && column.source == SourceQuantity::volume_change;
-      });
-  if (!has(excess_pore_pressure) && !drains) return out;
+  const auto type = std::ranges::find(labels, "test_type", &LabelValue::name);
+  const TestType* const known = type == labels.end() ? nullptr : find_test_type(type->text);
+  if (!has(excess_pore_pressure) && !(known && known->drained)) return out;
   const Quantity second = has(excess_pore_pressure) ? back_pressure : pore_pressure;
   const bool has_cell = has_any({cell_pressure, radial_stress, axial_stress});
   if (const auto back = stated("back_pressure")) {

@@ -70,8 +70,8 @@ struct TableLayout {
   bool has(ColumnRole role) const;
   bool has(Quantity quantity) const;  ///< as a column or a constant of the dialect
   /// Those of the dialect, and pressures that `labels` state and no column or constant has: the
-  /// back pressure beside Δu, or as the pore pressure of a test that drains; else the effective
-  /// consolidation stress as the cell pressure, with a back pressure of 0.
+  /// back pressure beside Δu, or as the pore pressure of a test of a drained type; else the
+  /// effective consolidation stress as the cell pressure, with a back pressure of 0.
   std::vector<RowConstant> constants() const;
   /// Columns, constants and what follows from them.
   std::vector<Quantity> quantities() const;

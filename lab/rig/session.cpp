@@ -419,8 +419,8 @@ void SessionRun::summarise() {
   if (const auto& c_u = summary_.undrained_strength; c_u && c_u->at.q_pa < 0)
     summary_.warnings.push_back(
         {0,
-         "q is negative: c_u is that of extension, in which the area decreases; if compression "
-         "is negative in the file, write sign = -1 for force and displacement in a dialect"});
+         "q is negative: c_u is calculated for extension; if compression is negative in the file, "
+         "write sign = -1 for force and displacement in a dialect"});
 }
 
 }  // namespace

@@ -155,10 +155,10 @@ std::string ends_of(const ClockSample& sample) {
   return excerpt(sample.texts.front()) + " to " + excerpt(sample.texts.back());
 }
 
-/// True for numbers that only instants have, whatever their heading is: after 2001, in order and
-/// within ten years. Quantities of a test have the size of days, too: these are within 400 days,
-/// and most have parts.
-bool are_instants(const ClockSample& sample, const ClockFormat& format) {
+/// True for numbers that can only be dates and times, whatever their heading is: after 2001,
+/// ascending or descending, within ten years. Other quantities can have the size of a number of
+/// days, so that days must be within 400, and most must have decimals.
+bool are_dates(const ClockSample& sample, const ClockFormat& format) {
   constexpr double kSeconds2001 = 1e9, kTenYears_s = 3.2e8, kDays400_s = 3.5e7;
   const bool counts_days = format.number < ClockNumber::seconds;
   std::vector<double> times;
@@ -169,8 +169,8 @@ bool are_instants(const ClockSample& sample, const ClockFormat& format) {
   if (first < kSeconds2001 || last - first > (counts_days ? kDays400_s : kTenYears_s)) return false;
   if (!std::ranges::is_sorted(times) && !std::ranges::is_sorted(times, std::greater<>()))
     return false;
-  const auto parts = sample.count([](const ClockCell& cell) { return cell.decimals > 0; });
-  return !counts_days || 2 * parts > times.size();
+  const auto with_decimals = sample.count([](const ClockCell& cell) { return cell.decimals > 0; });
+  return !counts_days || 2 * with_decimals > times.size();
 }
 
 ClockFinding finding_of_numbers(const ClockSample& sample, ClockHeading heading) {
@@ -187,7 +187,7 @@ ClockFinding finding_of_numbers(const ClockSample& sample, ClockHeading heading)
   format = {};
   format.number = number_of_size(sample.cells.front(), heading);
   if (format.number == ClockNumber::none || !fits(format)) return {};
-  if (heading == ClockHeading::time && !are_instants(sample, format)) return {};
+  if (heading == ClockHeading::time && !are_dates(sample, format)) return {};
   return {format, false, ends_of(sample) + ": " + describe(format)};
 }
 

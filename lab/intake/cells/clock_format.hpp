@@ -45,8 +45,8 @@ struct ClockFormat {
 };
 
 /// Kind of column. Plain numbers below `time` are clocks only if nothing else has their size and
-/// order: 14 digits of a date and a time of day, or a count that grows or falls, is after 2001 and
-/// within ten years (days: within 400, and most with parts).
+/// order: 14 digits of a date and a time of day, or an ascending or descending count after 2001,
+/// within ten years (days: within 400, most with decimals).
 enum class ClockHeading : unsigned char { time, date, time_of_day };
 
 struct ClockFinding {

@@ -88,7 +88,7 @@ bool QuestionDialog::ask(const ImportQuestion& question) {
   while (true) {
     const std::string text = line(prompt);
     if (is_measured && text.empty()) {
-      report("The file does not decide this value, and results depend on it: type it, or q.");
+      report("The file does not contain this value. Type it, or q to quit.");
       continue;
     }
     if (text == "?") {

@@ -139,6 +139,16 @@ TEST_CASE("propose: the unit of an unknown name and the readings decide", "[inta
   CHECK(quantity_of(open, 1).empty());
 }
 
+TEST_CASE("propose: a ratio that begins at 0 is q/p', at 1 it is σ1'/σ3'", "[intake]") {
+  const auto ratio_from = [](double first) {
+    return proposal_of(table("Axial strain (%),q (kPa),Stress ratio", [first](int i) {
+      return fmt::format("{:.1f},{:.1f},{:.3f}", 0.5 * i, q_of(i), first + 0.07 * i);
+    }));
+  };
+  CHECK(quantity_of(ratio_from(0), 2) == "stress_ratio");
+  CHECK(quantity_of(ratio_from(1), 2) == "principal_stress_ratio");
+}
+
 TEST_CASE("propose: a column of numbers is a clock by its cells, not by its name", "[intake]") {
   const auto row = [](int i) {
     return fmt::format("{},{:.2f},{:.1f},{:.4f}", 1773124224 + 60 * i, 0.5 * i, q_of(i),
