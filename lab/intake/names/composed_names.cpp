@@ -25,8 +25,10 @@ ComposedNames::ComposedNames() {
       if (!bits.contains(meaning)) bits[meaning] = static_cast<int>(bits.size());
       meanings |= Meanings{1} << bits[meaning];
     }
-    for (const std::string& word : row.texts("written"))
+    for (const std::string& word : row.texts("written")) {
       for (const QString& key : name_keys(word)) add_word(key, meanings);
+      add_word(fold_heading(repair_heading(word)), meanings);  // as a part of a longer word
+    }
   }
   if (bits.size() > kMaxMeanings) throw BadInput("words.toml", 0, "too many meanings");
   for (const std::string& qualifier : file.texts("qualifiers")) {
@@ -138,9 +140,13 @@ QuantitySet ComposedNames::find_contradicted(const std::vector<QString>& tokens)
 QuantitySet ComposedNames::find(const std::vector<QString>& tokens) const {
   Meanings meanings = 0;
   for (const QString& token : tokens) {
-    const auto of_token = meanings_of(token);
-    if (!of_token) return {};
-    meanings |= *of_token;
+    const bool is_inside = &token != &tokens.front() && &token != &tokens.back();
+    if (is_inside && token == u"in") continue;  // at the end it is the unit
+    for (const QString& part : token.split(u'/')) {  // "deviator/mean stress" is one token
+      const auto of_part = meanings_of(part);
+      if (!of_part) return {};
+      meanings |= *of_part;
+    }
   }
   return names_.value(meanings);
 }

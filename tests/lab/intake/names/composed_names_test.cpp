@@ -52,8 +52,14 @@ TEST_CASE("ComposedNames: a compound is read by its parts") {
 TEST_CASE("ComposedNames: the beginning of a word is short for it") {
   CHECK(find_composed("Press. interst.") == "pore_pressure ");
   CHECK(find_composed("Esf. desv.") == "deviator_stress ");
-  CHECK(find_composed("str. axial").empty());  // stress or strain
+  CHECK(find_composed("str. axial") == "axial_strain axial_stress ");  // the unit decides
   CHECK(find_composed("pr").empty());
+}
+
+TEST_CASE("ComposedNames: a slash and a preposition do not make another name") {
+  CHECK(find_composed("Rapport déviateur/pression moyenne effective") == "stress_ratio ");
+  CHECK(find_composed("Druck in der Zelle") == "cell_pressure ");
+  CHECK(find_composed("Druck in").empty());  // inches
 }
 
 TEST_CASE("ComposedNames: two quantities with the same name are both found") {
