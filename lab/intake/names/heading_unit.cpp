@@ -23,12 +23,12 @@ const std::vector<QString>& unit_separators() {
   return separators;
 }
 
-/// "CellPress" is "Cell Press".
+/// "CellPress" is "Cell Press". "kN" is one word.
 QString with_blanks_before_capitals(const QString& text) {
   QString spaced;
   for (const QChar c : text) {
-    const bool is_behind_small =
-        !spaced.isEmpty() && spaced.back() >= u'a' && spaced.back() <= u'z';
+    const bool is_behind_small = spaced.size() > 1 && spaced.back() >= u'a' &&
+                                 spaced.back() <= u'z' && spaced[spaced.size() - 2].isLetter();
     if (c >= u'A' && c <= u'Z' && is_behind_small) spaced += u' ';
     spaced += c;
   }
@@ -68,20 +68,30 @@ NameAndUnit split_at(const QString& text, const QString& separator, const IsName
   return {};
 }
 
+/// The longest unit of all separators: "Shift/0.01 mm" is in hundredths.
+NameAndUnit split_longest(const QString& text, const IsName& is_name) {
+  NameAndUnit longest;
+  for (const QString& separator : unit_separators())
+    if (NameAndUnit parts = split_at(text, separator, is_name);
+        parts.unit.size() > longest.unit.size())
+      longest = std::move(parts);
+  return longest;
+}
+
+/// Units that are no names, whatever stands before them: "mm", not "t".
+bool is_clear_unit(const QString& name, const std::vector<const UnitName*>& units) {
+  return !name.isEmpty() && std::ranges::none_of(units, &UnitName::is_ambiguous);
+}
+
 }  // namespace
 
 NameAndUnit split_unit(const QString& repaired, const IsName& is_name) {
   if (NameAndUnit parts = split_bracket(repaired); !parts.unit.isEmpty()) return parts;
   if (repaired.endsWith(u'‰')) return {without_outer(repaired.chopped(1), u" _,/"), u"‰"_qs};
   if (is_name(repaired, {})) return {repaired, {}};
-  // The longest unit of all separators: "Shift/0.01 mm" is in hundredths.
-  NameAndUnit longest;
-  for (const QString& separator : unit_separators())
-    if (NameAndUnit parts = split_at(repaired, separator, is_name);
-        parts.unit.size() > longest.unit.size())
-      longest = std::move(parts);
-  if (!longest.unit.isEmpty()) return longest;
+  if (NameAndUnit parts = split_longest(repaired, is_name); !parts.unit.isEmpty()) return parts;
   NameAndUnit parts = split_at(with_blanks_before_capitals(repaired), " ", is_name);
+  if (parts.unit.isEmpty()) parts = split_longest(repaired, is_clear_unit);
   return parts.unit.isEmpty() ? NameAndUnit{repaired, {}} : parts;
 }
 

@@ -29,9 +29,12 @@ TEST_CASE("split_unit: a bracket with a unit is separated whatever the name is")
   CHECK(split_text("Foo (mm", "") == "Foo (mm|");
 }
 
-TEST_CASE("split_unit: behind a separator the rest must be a name") {
+TEST_CASE("split_unit: a unit that can be a word stands behind a name") {
   CHECK(split_text("Foo, mm", "Foo") == "Foo|mm");
-  CHECK(split_text("Foo, mm", "Bar") == "Foo, mm|");
+  CHECK(split_text("Foo, mm", "Bar") == "Foo|mm");
+  CHECK(split_text("Foo t", "Foo") == "Foo|t");
+  CHECK(split_text("Foo t", "Bar") == "Foo t|");
+  CHECK(split_text("mm", "Bar") == "mm|");
   CHECK(split_text("Foo_mm", "Foo") == "Foo|mm");
   CHECK(split_text("Foo in mm", "Foo") == "Foo|mm");
   CHECK(split_text("Foo / mm", "Foo") == "Foo|mm");
