@@ -26,16 +26,17 @@ bool RestartFinder::Track::is_unloaded(double now) const {
 bool RestartFinder::Track::jumps(double now) const {
   constexpr int kMin_steps = 4;
   return steps >= kMin_steps && largest_step > 0 &&
-         std::fabs(now - last) > kJump_steps * largest_step;
+         std::fabs(now - last) > kJump_steps * largest_step * rows_since_last;
 }
 
 void RestartFinder::Track::add(double now, bool begins_new_stage) {
-  if (std::isnan(now)) return;
+  if (std::isnan(now)) return skip();
   if (std::isnan(first)) first = last = now;
   if (!begins_new_stage) {
-    largest_step = std::max(largest_step, std::fabs(now - last));
+    largest_step = std::max(largest_step, std::fabs(now - last) / rows_since_last);
     ++steps;
   }
+  rows_since_last = 1;
   largest = std::max(largest, std::fabs(now - first));
   last = now;
 }
@@ -45,7 +46,10 @@ std::optional<Restart> RestartFinder::add(const RowState& now, std::int64_t line
   using enum RowValue;
   std::optional<Restart> found;
   const std::int64_t reading = readings_++;
-  if (std::isnan(now[index(strain)])) return found;
+  if (std::isnan(now[index(strain)])) {
+    for (Track& track : tracks_) track.skip();
+    return found;
+  }
   if (candidate_) {
     found = follow(now);
   } else if (!begins_new_stage && is_back_at_start(now)) {

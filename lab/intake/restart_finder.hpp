@@ -27,7 +27,7 @@ struct Restart {
 ///   the strain jumps, and the time runs back or the load returns to its first value
 ///   the time runs back to its start, and the load returns
 ///   load and effective stress (or pore pressure) return, one of them or the cycle number by a jump
-/// A jump is more than kJump_steps times the largest step before it. A specimen that is unloaded
+/// A jump is more than kJump_steps times the largest step per row before it. A specimen that is unloaded
 /// keeps most of its strain, and a cyclic test comes back in steps like those before. A load that
 /// only scatters, as before shear, has nowhere to return from: its steps are as large as its range.
 /// A new stage may begin with a counter that was set to zero, and is no second test.
@@ -53,11 +53,13 @@ class RestartFinder {
     double largest = 0;       ///< distance from the first value
     double largest_step = 0;  ///< between two rows
     int steps = 0;
+    int rows_since_last = 1;  ///< more than one where values are missing
     Track();
     bool is_returned(double now) const;
     bool is_unloaded(double now) const;
     bool jumps(double now) const;
     void add(double now, bool begins_new_stage);
+    void skip() { ++rows_since_last; }
   };
   using Tracks = std::array<Track, kRowValueCount>;
   struct Candidate {

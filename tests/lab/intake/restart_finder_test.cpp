@@ -102,3 +102,14 @@ TEST_CASE("RestartFinder: a return without rows behind it is open") {
   CHECK(finder.open()->line == 23);
   CHECK(finder.open()->line_before == 22);
 }
+
+TEST_CASE("RestartFinder: a step across a missing row is no jump") {
+  Table table;
+  for (int i = 0; i < 60; ++i) {
+    const double phase = 2 * std::numbers::pi * i / 16;
+    const bool is_missing = i == 39 || i == 15 || i == 31;  // just before strain and load are zero
+    table.add(is_missing ? NAN : 0.02 * std::sin(phase), is_missing ? NAN : 10 * std::sin(phase),
+              9.0 * i);
+  }
+  CHECK(table.restarts().empty());
+}
