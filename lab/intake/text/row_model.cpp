@@ -134,12 +134,12 @@ bool begins_no_run(const RowModel& model, const ShapedLine& line) {
   return false;
 }
 
-/// Texts of a column with values that are only in a few rows at the end: names of a summary below
-/// dates that are written once a day.
+/// Texts of a column with other cells that are only in a few rows at the end: names of a summary
+/// below dates that are written once a day, or below empty cells.
 bool has_texts_only_at_end(const RowModel& model, std::size_t row, std::size_t column) {
   constexpr double kMaxTexts = 6;
   const ColumnProfile& profile = model.profile[column];
-  if (profile.values == 0 || profile.texts > kMaxTexts) return false;
+  if (profile.values + profile.empties == 0 || profile.texts > kMaxTexts) return false;
   std::size_t count = 0, texts = 0;
   for (std::size_t i = 0; i < model.lines.size(); ++i)
     texts += model.is_row[i] != 0 && model.lines[i].shape(column) == CellShape::text ? 1 : 0;

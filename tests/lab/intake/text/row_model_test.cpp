@@ -48,6 +48,11 @@ TEST_CASE("Row model: a summary behind a blank line is no part of the rows") {
   CHECK(rows_of(rows + "\nShear;5;6\nShear;6;7\n", Separator::semicolon).last == 8);
 }
 
+TEST_CASE("Row model: names of a summary below empty cells are no part of the rows") {
+  const std::string rows = "x;t;q\n;0;1\n;1;2\n;2;3\n;3;4\n;4;5\n;5;6\n;6;7\n";
+  CHECK(rows_of(rows + "Max;6;7\nMin;0;1\nMean;3;4\n", Separator::semicolon).last == 7);
+}
+
 TEST_CASE("Row model: a wrong separator explains less") {
   const std::string text = "t;q\n0,5;1\n1,5;2\n2,5;3\n";
   CHECK(rows_of(text, Separator::tab).width == 0);
