@@ -92,6 +92,7 @@ constexpr std::array kUnnamedQuantities{"axial_force",
                                         "mean_stress",
                                         "volume_change",
                                         "current_area",
+                                        "specimen_height",
                                         "excess_pore_pressure",
                                         "back_pressure",
                                         "axial_strain",
@@ -106,7 +107,8 @@ bool is_name_in(const auto& names, std::string_view name) {
 /// Evidence of a quantity that only the unit of a column shows. Few quantities are lengths, many
 /// are pressures.
 double evidence_of_unit(const LexiconQuantity& quantity) {
-  constexpr std::array kOfFew{"axial_force", "axial_displacement", "current_area", "time"};
+  constexpr std::array kOfFew{"axial_force", "axial_displacement", "specimen_height",
+                              "current_area", "time"};
   return is_name_in(kOfFew, quantity.name) ? -2 : -5;
 }
 
