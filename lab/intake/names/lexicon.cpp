@@ -4,6 +4,7 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "lab/intake/names/heading_form.hpp"
@@ -211,9 +212,7 @@ void append_candidates(const SearchLevels& levels, const QuantitySet& fitting, Q
   }
 }
 
-}  // namespace
-
-HeadingNames find_names(std::string_view heading, std::string_view unit_of_row) {
+HeadingNames search_heading(std::string_view heading, std::string_view unit_of_row) {
   constexpr std::size_t kMaxHeadingBytes = 800;
   constexpr qsizetype kMaxHeadingLength = 200;
   const QString text = heading.size() > kMaxHeadingBytes
@@ -232,6 +231,18 @@ HeadingNames find_names(std::string_view heading, std::string_view unit_of_row) 
   const auto units = row_units.empty() && !unit.isEmpty() ? find_units(unit) : row_units;
   append_candidates(search_name(name), find_fitting(units), seen, names.candidates);
   return names;
+}
+
+}  // namespace
+
+HeadingNames find_names(std::string_view heading, std::string_view unit_of_row) {
+  constexpr std::size_t kMaxRemembered = 4096;
+  thread_local std::map<std::pair<std::string, std::string>, HeadingNames> remembered;
+  std::pair<std::string, std::string> key(heading, unit_of_row);
+  const auto known = remembered.find(key);
+  if (known != remembered.end()) return known->second;
+  if (remembered.size() >= kMaxRemembered) remembered.clear();
+  return remembered.emplace(std::move(key), search_heading(heading, unit_of_row)).first->second;
 }
 
 }  // namespace triax::lab

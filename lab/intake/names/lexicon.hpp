@@ -37,7 +37,8 @@ struct HeadingNames {
 /// Quantities that a heading (UTF-8) can mean. `unit_of_row` is the cell below it in a row of
 /// units; a text that is no unit counts as none. With a unit, of the row or of the heading, only
 /// quantities that can have it are candidates. There are none for an unknown heading and for one of
-/// more than 200 characters. Thread-safe; the first call reads the lexicon.
+/// more than 200 characters. Thread-safe; the first call reads the lexicon. Each thread remembers
+/// what it found last.
 HeadingNames find_names(std::string_view heading, std::string_view unit_of_row = {});
 
 }  // namespace triax::lab
