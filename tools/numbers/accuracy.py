@@ -5,7 +5,7 @@ from remade.benchmark import sampled
 
 def intake(triax) -> str:
     shown = "--by kind --by language --by headings --by unit_style --by clock --by separator --by order --by blocks"
-    return sampled(triax, f"bench/intake/run.sh --seed 50000 --count 20000 {shown}", "bench/intake/run.sh --seed 1 --count 60 --by kind")
+    return sampled(triax, f"bench/intake/run.sh --seed 70000 --count 20000 {shown}", "bench/intake/run.sh --seed 1 --count 60 --by kind")
 
 
 def verdicts(triax) -> str:
