@@ -27,10 +27,10 @@ struct Restart {
 ///   the strain jumps, and the time runs back or the load returns to its first value
 ///   the time runs back to its start, and the load returns
 ///   load and effective stress (or pore pressure) return, one of them or the cycle number by a jump
-/// A jump is more than kJump_steps times the largest step per row before it. A specimen that is unloaded
-/// keeps most of its strain, and a cyclic test comes back in steps like those before. A load that
-/// only scatters, as before shear, has nowhere to return from: its steps are as large as its range.
-/// A new stage may begin with a counter that was set to zero, and is no second test.
+/// A jump is more than kJump_steps times the largest step per row before it. A specimen that is
+/// unloaded keeps most of its strain, and a cyclic test comes back in steps like those before. A
+/// load that only scatters, as before shear, has nowhere to return from: its steps are as large as
+/// its range. A new stage may begin with a counter that was set to zero, and is no second test.
 ///
 /// The rows that follow confirm it, so that a row out of place or cells that fell out do not count.
 class RestartFinder {

@@ -4,7 +4,7 @@ from remade.benchmark import sampled
 
 
 def intake(triax) -> str:
-    shown = "--by kind --by language --by headings --by unit_style --by clock --by separator --by order --by blocks"
+    shown = "--by kind --by language --by headings --by unit_style --by clock --by separator --by order --by blocks --by names"
     return sampled(triax, f"bench/intake/run.sh --seed 70000 --count 20000 {shown}", "bench/intake/run.sh --seed 1 --count 60 --by kind")
 
 

@@ -141,7 +141,7 @@ QuantitySet ComposedNames::find(const std::vector<QString>& tokens) const {
   Meanings meanings = 0;
   for (const QString& token : tokens) {
     const bool is_inside = &token != &tokens.front() && &token != &tokens.back();
-    if (is_inside && token == u"in") continue;  // at the end it is the unit
+    if (is_inside && token == u"in") continue;       // at the end it is the unit
     for (const QString& part : token.split(u'/')) {  // "deviator/mean stress" is one token
       const auto of_part = meanings_of(part);
       if (!of_part) return {};
