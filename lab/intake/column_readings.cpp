@@ -232,6 +232,10 @@ class Readings {
       if (const auto conversion = conversion_to_canonical(quantity, *unit))
         add_signs(
             {&quantity, unit_, conversion->factor, conversion->offset, 1, source_, how, evidence});
+    constexpr double kPlainNumber = -1;  // a void ratio below "%": its size decides
+    const bool is_ratio = quantity.dimension == "none" && !is_name_in(kStrains, quantity.name);
+    if (is_ratio && !all_.empty() && all_.back().quantity == &quantity && all_.back().factor != 1)
+      add_signs({&quantity, "", 1, 0, 1, UnitSource::identity, how, evidence + kPlainNumber});
   }
 
   void add_unsaid(const LexiconQuantity& quantity, std::optional<NameMatch> how, double evidence) {

@@ -200,3 +200,15 @@ TEST_CASE("propose: a dial in divisions has the factor of its displacement", "[i
   REQUIRE(found.has("dial_reading"));
   CHECK(found.meaning.of("dial_reading")->reading.factor == Approx(0.01));
 }
+
+TEST_CASE("propose: a void ratio below % is a plain number") {
+  const auto row = [](int i) {
+    const double eps_v = 0.001 * i;
+    return fmt::format("{},{},{},{},{}", 0.5 * i, 100 * eps_v, 1.8 * (1 - eps_v) - 1, q_of(i),
+                       100 + q_of(i) / 3);
+  };
+  const auto proposal = proposal_of(table("eps1,epsv,Void ratio,q,p'\n%,%,%,kPa,kPa", row));
+  REQUIRE(quantity_of(proposal, 2) == "void_ratio");
+  CHECK(proposal.meaning.columns[2].reading.factor == 1);
+  CHECK(proposal.meaning.columns[1].reading.factor == Approx(0.01));
+}
