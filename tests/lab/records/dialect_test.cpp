@@ -9,7 +9,7 @@ using namespace triax::lab;
 
 TEST_CASE("the shipped dialects are valid and there by name, our own first") {
   CHECK(shipped_dialects().front().name == "triax");
-  for (const char* name : {"triax", "gdslab", "karlsruhe", "nerlerk", "cyclic", "stress_path"}) {
+  for (const char* name : {"triax", "gdslab", "karlsruhe", "nerlerk", "cyclic"}) {
     const Dialect dialect = find_dialect(name);
     CHECK(dialect.name == name);
     CHECK_FALSE(dialect.about.empty());

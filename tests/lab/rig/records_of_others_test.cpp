@@ -222,7 +222,7 @@ TEST_CASE("stress path: stages with clocks of their own become one time", "[of-o
   const auto path = record_of_others("stress_path/Triax-p-q_01__Versuch01.csv");
   if (!path) return;
   const auto rig = open_record(*path, {});
-  CHECK(rig->header().dialect == "stress_path");
+  CHECK(rig->header().dialect == "table");
   CHECK(rig->header().is_raw());
   const auto readings = all_readings(*rig);
   REQUIRE(readings.size() == 79);
