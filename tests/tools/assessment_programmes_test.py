@@ -152,7 +152,7 @@ class Table(unittest.TestCase):
         for changes, name in (({"truth_lost": ""}, "ends at the loss"), ({"truth_slip": "1"}, "slip"), ({"truth_q_lost": "0.05"}, "small loss"),
                               ({"truth_eta": "1.15"}, "at the limit"), ({"truth_eta": "-0.85"}, "at the limit"),
                               ({"truth_lost": "0", "truth_eta": "", "least_p": "0.01"}, "liquefied"),
-                              ({"ideal_lost": "0"}, "servo"), ({"ideal_lost": "1", "ideal_eta": "0.5"}, "servo")):
+                              ({"truth_lost": "0", "ideal_lost": "1", "ideal_eta": "0.5"}, "servo"), ({"ideal_lost": "0"}, "servo"), ({"ideal_lost": "1", "ideal_eta": "0.5"}, "servo")):
             self.assertEqual(tables.truth(row(**changes)), name, changes)
             self.assertIn(name, tables.UNCOUNTED)
 
@@ -180,6 +180,7 @@ class Comparison(unittest.TestCase):
             compare.store(path, old)
             self.assertIn(b"simulated", lzma.decompress(path.read_bytes()))
             self.assertEqual(compare.read(path), old)
+        self.assertEqual(compare.merged(old, {("1", "raw"): {"number": "1"}}), {("1", "raw"): {"number": "1"}, ("2", "simulated"): old["2", "simulated"]})
         new = {("1", "simulated"): old["1", "simulated"] | {"eta": "0.50001"}}
         self.assertEqual(compare.differences(new, old), [])  # the other was not run
         new["1", "simulated"]["kind"] = "partial"
