@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""compare.py RESULTS.csv EXPECTED.csv.xz [--refresh]
+"""compare.py EXPECTED.csv.xz [RESULTS.csv] [--refresh]
 
 Compares results of run_tests.py with stored ones, and lists each test and form whose result changed, with the columns that did. Tests that
-are not in RESULTS.csv are not compared. Exit status 1 if any differs. --refresh stores RESULTS.csv instead, which must have all tests.
+are not in RESULTS.csv are not compared. Exit status 1 if any differs. --refresh stores RESULTS.csv instead, in place of the results that
+EXPECTED.csv.xz has for the same tests. Without RESULTS.csv it prints how many programmes have stored results.
 """
 import argparse
 import csv
@@ -51,6 +52,13 @@ def differences(found, expected):
     return out
 
 
+def merged(expected, results):
+    """Stored results with those of the tests that were run again, in the order of the numbers."""
+    numbers = {number for number, _ in results}
+    kept = {key: row for key, row in expected.items() if key[0] not in numbers} | results
+    return {key: kept[key] for key in sorted(kept, key=lambda key: int(key[0]))}
+
+
 def store(path, results):
     text = io.StringIO()
     writer = csv.DictWriter(text, list(next(iter(results.values()))), lineterminator="\n")
@@ -62,15 +70,19 @@ def store(path, results):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("results", type=pathlib.Path, metavar="RESULTS.csv")
     parser.add_argument("expected", type=pathlib.Path, metavar="EXPECTED.csv.xz")
+    parser.add_argument("results", type=pathlib.Path, metavar="RESULTS.csv", nargs="?")
     parser.add_argument("--refresh", action="store_true", help="store the results instead")
     options = parser.parse_args()
+    expected = read(options.expected) if options.expected.exists() else {}
+    if not options.results:
+        print(max((int(number) for number, _ in expected), default=0))
+        return 0
     results = read(options.results)
     if options.refresh:
-        store(options.expected, results)
+        store(options.expected, merged(expected, results))
         return 0
-    found = differences(results, read(options.expected))
+    found = differences(results, expected)
     print(*found, sep="\n", end="\n" if found else "")
     print(f"{len(results)} results compared, {len(found)} differ")
     return 1 if found else 0

@@ -23,7 +23,7 @@ import sys
 CHANNELS = {"axial_displacement_mm": ("Axial displacement (mm)", 4), "axial_force_kN": ("Axial force (kN)", 5),
             "cell_pressure_kPa": ("Cell pressure (kPa)", 2), "back_pressure_kPa": ("Back pressure (kPa)", 2),
             "pore_pressure_kPa": ("Pore pressure (kPa)", 2), "back_volume_mm3": ("Back volume (mm3)", 1)}
-REDUCED = {"axial_strain": ("Axial strain (%)", 4), "volumetric_strain": ("Volumetric strain (%)", 4), "q_kPa": ("q (kPa)", 2),
+REDUCED = {"axial_strain": ("Axial strain (%)", 4), "volumetric_strain": ("Volumetric strain (%)", 4), "q_kPa": ("Deviator stress (kPa)", 2),
            "cell_pressure_kPa": ("Cell pressure (kPa)", 2), "pore_pressure_kPa": ("Pore pressure (kPa)", 2)}
 HELD_KPA = 6.0       # range of the middle 90 % within which a pressure counts as held
 MIN_ROWS, MAX_ROWS = 20, 300

@@ -19,6 +19,7 @@ on the program and the programmes only; TIMES.csv has the seconds of each run. C
 """
 import argparse
 import concurrent.futures
+import contextlib
 import csv
 import json
 import pathlib
@@ -200,6 +201,11 @@ def result(document, number, form, truth, database, readings=None):
     return out | coverage(database, truth, row)
 
 
+def opened(stack, path):
+    """For lines that are there as soon as they are written."""
+    return stack.enter_context(open(path, "w", newline="", encoding="utf-8", buffering=1))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=pathlib.Path, metavar="FOLDER")
@@ -217,18 +223,15 @@ def main():
         work = options.keep.resolve() if options.keep else pathlib.Path(name)
         work.mkdir(parents=True, exist_ok=True)
         runner = Runner(options, work)
-        with open(options.out, "w", newline="", encoding="utf-8") as file, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-            writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-            writer.writeheader()
-            times = []
-            for lines, used in pool.map(runner.test, programmes):
-                writer.writerows({k: text(v) for k, v in line.items()} for line in lines)
-                file.flush()
-                times.append(used)
-    if options.times:
-        with open(options.times, "w", newline="", encoding="utf-8") as file:
-            csv.writer(file, lineterminator="\n").writerows([("programme", "simulation_s", "all_s"),
-                                                            *((n, f"{a:.2f}", f"{b:.2f}") for n, a, b in times)])
+        with contextlib.ExitStack() as stack:
+            results = csv.DictWriter(opened(stack, options.out), COLUMNS, lineterminator="\n")
+            results.writeheader()
+            times = csv.writer(opened(stack, options.times or work / "times.csv"), lineterminator="\n")
+            times.writerow(("programme", "simulation_s", "all_s"))
+            pool = stack.enter_context(concurrent.futures.ThreadPoolExecutor(options.jobs))
+            for lines, (name, simulation, whole) in pool.map(runner.test, programmes):
+                results.writerows({k: text(v) for k, v in line.items()} for line in lines)
+                times.writerow((name, f"{simulation:.2f}", f"{whole:.2f}"))
     cpu = resource.getrusage(resource.RUSAGE_CHILDREN)
     print(f"{len(programmes)} programmes, {cpu.ru_utime + cpu.ru_stime:.0f} s of processor time", file=sys.stderr)
     return 0

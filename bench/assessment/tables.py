@@ -74,7 +74,7 @@ def truth(row):
         eta, other = value(row, "truth_eta"), value(row, "ideal_eta")
         if row["truth_eta"] and not ideal or not row["truth_eta"] and ideal:
             return "servo"
-        if lost and abs(eta - other) > MAX_SERVO_ERROR:
+        if eta is not None and other is not None and abs(eta - other) > MAX_SERVO_ERROR:
             return "servo"
     if lost:
         limit = limit_of(row)
