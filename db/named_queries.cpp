@@ -93,6 +93,7 @@ const std::vector<NamedQuery>& named_queries() {
       {"alarms", "first warnings of the alarm that were not withdrawn, with the onset found",
        "SELECT t.id AS test_id, t.name AS test, t.origin, o.level, o.reading, o.time_s, "
        "o.eta_forecast, o.eta_low, o.eta_high, o.left_quantity, o.left_value, o.left_time_s, "
+       "o.failure_probability, o.load_cycles, "
        "c.kind, c.reading AS onset_reading, c.time_s AS onset_time_s, c.eta AS onset_eta "
        "FROM outlooks o JOIN tests t ON t.id = o.test_id "
        "LEFT JOIN collapses c ON c.test_id = o.test_id ORDER BY t.id, o.reading"},

@@ -148,13 +148,16 @@ void bind_outlook(Binder& row, const lab::Outlook& outlook) {
 }
 
 void insert_outlook(SQLite::Database& database, std::int64_t id, lab::WarningLevel level,
-                    const std::optional<lab::Outlook>& outlook) {
-  if (!outlook) return;
-  Statement insert(database, "INSERT INTO outlooks VALUES (?,?,?,?,?,?,?,?,?,?)");
+                    const std::optional<lab::Forecast>& forecast) {
+  if (!forecast) return;
+  Statement insert(database, "INSERT INTO outlooks VALUES (?,?,?,?,?,?,?,?,?,?,?,?)");
   Binder row(insert);
-  row.integer(id).text(to_string(level)).integer(outlook->reading);
-  bind_outlook(row, *outlook);
-  row.run();
+  row.integer(id).text(to_string(level)).integer(forecast->reading);
+  bind_outlook(row, *forecast);
+  const auto& cyclic = forecast->cyclic;
+  row.number(cyclic ? std::optional(cyclic->probability) : std::nullopt)
+      .number(cyclic ? std::optional(cyclic->load_cycles) : std::nullopt)
+      .run();
 }
 
 void insert_guard(SQLite::Database& database, std::int64_t id,

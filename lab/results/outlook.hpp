@@ -9,8 +9,9 @@
 
 namespace triax::lab {
 
-/// `approaching`: the forecast says so; `imminent`: the onset lies within the next few scans at the
-/// present rate, or was passed within the error of its forecast; `lost`: it was passed.
+/// `approaching`: an onset is forecast. `imminent`: the onset is within the next few readings at
+/// the present rate, or it was passed within the error of its forecast. In cyclic tests: the
+/// specimen probably fails within one load cycle. `lost`: the onset was passed.
 enum class WarningLevel { none, approaching, imminent, lost };
 /// "imminent".
 std::string_view to_string(WarningLevel level);
@@ -30,13 +31,20 @@ double from_field_units(Quantity quantity, double value);
 
 inline constexpr double kOf90 = 1.645;  ///< standard errors on each side of a 90 % interval
 
-/// A forecast, and when it was made.
+/// Of an undrained cyclic test (lab/warning/cyclic_warning.hpp).
+struct CyclicForecast {
+  double probability = 0;  ///< of failure within one load cycle
+  double load_cycles = 0;  ///< applied so far, in halves
+};
+
+/// A forecast, and when it was made. With `cyclic` it has no η.
 struct Outlook {
   std::int64_t reading = 0;  ///< the last that had been taken
   std::optional<double> time_s;
-  double eta = 0;                    ///< at the onset; negative in extension
-  double eta_low = 0, eta_high = 0;  ///< its 90 % interval
-  std::optional<LeftToOnset> left;   ///< empty where the path does not go there now
+  double eta = 0;                        ///< at the onset, negative in extension, NaN with `cyclic`
+  double eta_low = 0, eta_high = 0;      ///< its 90 % interval
+  std::optional<LeftToOnset> left;       ///< empty where the path does not go there now
+  std::optional<CyclicForecast> cyclic;  ///< empty: a forecast of η
 };
 
 }  // namespace triax::lab

@@ -201,6 +201,9 @@ struct Collapse {
   void remove_onset();
 };
 
+/// What a warning states.
+using Forecast = decltype(Collapse::imminent)::value_type;
+
 struct CycleInstant {
   Instant instant;
   int cycle = 1;  ///< under way then, from 1

@@ -8,14 +8,15 @@
 #include "lab/collapse/limit_surface.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/summary.hpp"
+#include "lab/warning/cyclic_warning.hpp"
 #include "lab/warning/warning_levels.hpp"
 
 namespace triax::lab {
 
 /// What the alarm tells as it watches. Any may be empty.
 struct AlarmListener {
-  /// The forecast, where there is one: at every point of second-order work, and where a level is
-  /// reached or left; never twice at one reading.
+  /// The forecast of η, where there is one: at every point of second-order work, and where a level
+  /// is reached or left; never twice at one reading.
   std::function<void(const Outlook&)> foreseen;
   /// A level was reached or taken back.
   std::function<void(const Event&)> happened;
@@ -38,15 +39,20 @@ class Alarm {
   /// A sensor cannot be believed: what was forecast is forgotten, a level taken back.
   void interrupt(const std::string& reason);
   /// The specimen was lost, as the monitor found.
-  void lose() { levels_.lose(); }
+  void lose();
 
-  WarningLevel level() const { return levels_.level(); }
+  /// The higher one of the forecast of η and of the cyclic warning.
+  WarningLevel level() const;
   /// Where the levels that stand, or stood when the specimen was lost, were said first.
   const std::optional<Outlook>& approaching() const { return approaching_; }
   const std::optional<Outlook>& imminent() const { return imminent_; }
 
  private:
   void start_stage(const State& state);
+  bool is_cyclic_watched(const StageInfo* stage) const;
+  void report(const Event& event) const;
+  void watch_cycles(const State& state, WarningLevel before);
+  std::optional<Forecast> current_forecast(const State& state) const;
   void take_back(const State& state, const std::string& reason);
   void say(const State& state);
 
@@ -55,6 +61,8 @@ class Alarm {
   LimitSurface limit_;
   PoreFluid fluid_;
   WarningLevels levels_;
+  CyclicWarning cyclic_;
+  bool is_lost_ = false;  ///< since the start of shear
   std::optional<int> stage_;
   std::optional<State> latest_;
   std::optional<Outlook> approaching_, imminent_;

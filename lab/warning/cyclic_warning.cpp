@@ -100,6 +100,7 @@ void CyclicWarning::begin(const State& state) {
 bool CyclicWarning::add(const State& state) {
   if (!latest_) begin(state);
   const double at = has_time_ ? state.time_s : count_++;
+  load_was_carried_ = false;
   low_ = std::min(low_, state.q);
   high_ = std::max(high_, state.q);
   work_ += (state.q + latest_->q) / 2 * (state.strain.axial - latest_->strain.axial);
@@ -111,7 +112,8 @@ bool CyclicWarning::add(const State& state) {
   numbers_ = describe_cycle();
   if (!numbers_) return false;
   probability_ = probability(*numbers_);
-  return std::exchange(is_imminent_, probability_ >= (is_imminent_ ? kWithdraw : kIssue)) !=
+  const bool withdraws = load_was_carried_ && probability_ < kWithdraw;
+  return std::exchange(is_imminent_, is_imminent_ ? !withdraws : probability_ >= kIssue) !=
          is_imminent_;
 }
 
@@ -158,8 +160,8 @@ void CyclicWarning::extend(Sample sample, double at) {
 
 void CyclicWarning::turn(const Sample& sample, double at) {
   auto& last = end(direction_);
-  if (last && direction_ * (*last - extreme_.q) > kChangedEnd * range())
-    start_again(Restart::smaller_load);
+  load_was_carried_ = !last || direction_ * (*last - extreme_.q) <= kChangedEnd * range();
+  if (!load_was_carried_) start_again(Restart::smaller_load);
   last = extreme_.q;
   ++turns_;
   turn_times_.push_back(extreme_.at);

@@ -71,8 +71,9 @@ class LoadBranch {
 /// Processes the states of undrained shear one at a time, in constant memory. It counts in load
 /// cycles: a turn is a point from which q comes back by a tenth of its range. If an end of the load
 /// moves by more than 8 % of the range, or the load rests for longer than a cycle, the comparison
-/// starts again with the next cycle. A warning is issued at P = 0.6 and withdrawn at P = 0.1. It
-/// is never changed while the comparison starts again.
+/// starts again with the next cycle. A warning is issued at P = 0.6. It is withdrawn
+/// below P = 0.1 at a turn of q, if the specimen carried the load up to there. It is never changed
+/// while the comparison starts again.
 class CyclicWarning {
  public:
   enum class Restart { none, larger_load, smaller_load, rest, interruption };
@@ -99,6 +100,8 @@ class CyclicWarning {
   double probability() const { return probability_; }
   static double probability(const Numbers& numbers);
   double cycles() const { return turns_ / 2.0; }  ///< half cycles that are complete, halved
+  /// q has turned with the latest reading, not before the last end of the load on that side.
+  bool load_was_carried() const { return load_was_carried_; }
   /// Why and when the comparison last started again.
   Restart restart() const { return restart_; }
   double restarted_at_cycles() const { return restarted_at_; }
@@ -152,6 +155,7 @@ class CyclicWarning {
   double restarted_at_ = 0;
   std::optional<Numbers> numbers_;
   double probability_ = 0;
+  bool load_was_carried_ = false;
   bool is_imminent_ = false;
 };
 

@@ -186,19 +186,19 @@ std::optional<double> WarningLevels::eta_forecast() const {
   return forecast_.in_extension() ? -forecast()->eta : forecast()->eta;
 }
 
-std::optional<Outlook> WarningLevels::outlook(const State& now) const {
+std::optional<Forecast> WarningLevels::current_forecast(const State& now) const {
   const auto eta = eta_forecast();
   if (!eta) return std::nullopt;
   // An onset that was not passed lies ahead.
   const double low =
       std::max(forecast()->eta - kOf90 * forecast()->error, std::min(eta_now_, forecast()->eta));
   const double high = forecast()->eta + kOf90 * forecast()->error;
-  Outlook told{.reading = now.reading,
-               .time_s = {},
-               .eta = *eta,
-               .eta_low = low,
-               .eta_high = high,
-               .left = left(forecast()->eta)};
+  Forecast told{.reading = now.reading,
+                .time_s = {},
+                .eta = *eta,
+                .eta_low = low,
+                .eta_high = high,
+                .left = left(forecast()->eta)};
   if (has_time_) told.time_s = now.time_s;
   if (*eta < 0) told.eta_low = -high, told.eta_high = -low;
   return told;

@@ -4,8 +4,8 @@
 // alone.
 #include <optional>
 
-#include "lab/results/outlook.hpp"
 #include "lab/results/state.hpp"
+#include "lab/results/summary.hpp"
 #include "lab/warning/onset_forecast.hpp"
 
 namespace triax::lab {
@@ -52,7 +52,7 @@ class WarningLevels {
   /// η to come, with its sign; empty where there is no forecast that says anything.
   std::optional<double> eta_forecast() const;
   /// The forecast as it stands at that reading.
-  std::optional<Outlook> outlook(const State& now) const;
+  std::optional<Forecast> current_forecast(const State& now) const;
 
  private:
   const std::optional<EtaForecast>& forecast() const { return forecast_.now(); }

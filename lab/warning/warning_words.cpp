@@ -21,10 +21,20 @@ std::string describe(const LeftToOnset& left) {
 }  // namespace
 
 std::string describe(const Outlook& o) {
+  if (o.cyclic)
+    return fmt::format(
+        "the probability of failure within one load cycle is {:.0f} % after {:.1f} cycles",
+        o.cyclic->probability * 100, o.cyclic->load_cycles);
   std::string told =
       fmt::format("onset forecast at η {:.3f} ({:.3f} to {:.3f})", o.eta, o.eta_low, o.eta_high);
   if (o.left) told += ", " + describe(*o.left);
   return told;
+}
+
+std::string restart_words(const CyclicWarning& warning) {
+  if (warning.restart() == CyclicWarning::Restart::none) return "";
+  return fmt::format("; cycles are compared again since cycle {:.1f}: {}",
+                     warning.restarted_at_cycles(), describe(warning.restart()));
 }
 
 std::string describe(const GuardOutcome& g) {

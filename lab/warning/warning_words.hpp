@@ -4,11 +4,15 @@
 
 #include "lab/results/state.hpp"
 #include "lab/results/summary.hpp"
+#include "lab/warning/cyclic_warning.hpp"
 
 namespace triax::lab {
 
-/// "onset forecast at η 0.598 (0.571 to 0.625), 3.20 kPa of q and 120 s left at the present rate".
+/// "onset forecast at η 0.598 (0.571 to 0.625), 3.20 kPa of q and 120 s left at the present rate",
+/// or "the probability of failure within one load cycle is 83 % after 7.5 cycles".
 std::string describe(const Outlook& outlook);
+/// "; cycles are compared again since cycle 3.5: the load became larger", or nothing.
+std::string restart_words(const CyclicWarning& warning);
 /// What the guard did, and where: "on imminent: handed over to displacement at 0.05 mm/min; ...".
 std::string describe(const GuardOutcome& guard);
 /// `level`, approaching or imminent, was reached with that forecast.

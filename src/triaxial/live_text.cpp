@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/warning/warning_words.hpp"
 #include "src/output/sentence_table.hpp"
 #include "src/output/words.hpp"
 #include "src/triaxial/facts/collapse_fact.hpp"
@@ -93,6 +94,8 @@ std::string before_onset(std::int64_t readings, const std::optional<double>& tim
 
 std::string lead_line(const study::LiveLead& lead, const lab::Instant& onset) {
   const lab::Outlook& o = lead.outlook;
+  if (o.cyclic)
+    return fmt::format("{}; {}", before_onset(lead.readings, lead.time_s), lab::describe(o));
   std::string line =
       fmt::format("{}; η forecast {} ({} to {})", before_onset(lead.readings, lead.time_s),
                   number(o.eta, 3), number(o.eta_low, 3), number(o.eta_high, 3));

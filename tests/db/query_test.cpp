@@ -3,11 +3,13 @@
 
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <cmath>
 #include <fstream>
 #include <thread>
 
 #include "db/connection.hpp"
 #include "db/recording/recorder.hpp"
+#include "db/store.hpp"
 #include "lab/base/bad_input.hpp"
 #include "tests/db/fake_session.hpp"
 #include "tests/db/temporary_folder.hpp"
@@ -185,6 +187,28 @@ TEST_CASE(
   REQUIRE(events.rows.size() == 1);
   CHECK(events.columns[6] == "noticed_reading");
   CHECK(std::get<std::int64_t>(events.rows[0][6]) == 8);
+}
+
+TEST_CASE("alarms: a cyclic warning has a probability and no η", "[db][cyclic]") {
+  TemporaryFolder folder;
+  const std::string path = folder.file("t.db");
+  db::Recorder recorder(path);
+  const lab::SessionListener listener = recorder.listener();
+  listener.started(testing::raw_header("a"));
+  testing::send_scans(listener, 0, 10);
+  lab::Forecast warned{.reading = 7, .time_s = 0.7};
+  warned.eta = warned.eta_low = warned.eta_high = lab::kMissing;
+  warned.cyclic = lab::CyclicForecast{0.75, 4.5};
+  lab::TestSummary summary;
+  summary.collapse.imminent = warned;
+  recorder.finish(summary);
+  CHECK(std::get<double>(answer(path, "SELECT failure_probability FROM outlooks")) == 0.75);
+  CHECK(std::holds_alternative<std::monostate>(answer(path, "SELECT eta_forecast FROM outlooks")));
+  const auto stored = db::Store(path).load(1);
+  REQUIRE(stored.summary.collapse.imminent);
+  REQUIRE(stored.summary.collapse.imminent->cyclic);
+  CHECK(stored.summary.collapse.imminent->cyclic->load_cycles == 4.5);
+  CHECK(std::isnan(stored.summary.collapse.imminent->eta));
 }
 
 TEST_CASE("a filter on a test is a range of rows, not a scan of the table") {

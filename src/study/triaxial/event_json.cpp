@@ -10,16 +10,22 @@ Json moment_json(const std::optional<lab::Moment>& moment) {
   return {{"reading", moment->reading}, {"time_s", json_number(moment->time_s)}};
 }
 
-Json outlook_json(const std::optional<lab::Outlook>& outlook) {
-  if (!outlook) return nullptr;
+Json outlook_json(const std::optional<lab::Forecast>& forecast) {
+  if (!forecast) return nullptr;
   Json left = nullptr;
-  if (outlook->left)
-    left = {{"quantity", lab::heading(outlook->left->quantity)},
-            {"value", lab::in_field_units(*outlook->left)},
-            {"time_s", json_number(outlook->left->time_s)}};
-  return {{"reading", outlook->reading},   {"time_s", json_number(outlook->time_s)},
-          {"eta_forecast", outlook->eta},  {"eta_low", outlook->eta_low},
-          {"eta_high", outlook->eta_high}, {"left", std::move(left)}};
+  if (forecast->left)
+    left = {{"quantity", lab::heading(forecast->left->quantity)},
+            {"value", lab::in_field_units(*forecast->left)},
+            {"time_s", json_number(forecast->left->time_s)}};
+  const auto& cyclic = forecast->cyclic;
+  return {{"reading", forecast->reading},
+          {"time_s", json_number(forecast->time_s)},
+          {"eta_forecast", json_number(forecast->eta)},
+          {"eta_low", json_number(forecast->eta_low)},
+          {"eta_high", json_number(forecast->eta_high)},
+          {"left", std::move(left)},
+          {"failure_probability", cyclic ? Json(cyclic->probability) : Json(nullptr)},
+          {"load_cycles", cyclic ? Json(cyclic->load_cycles) : Json(nullptr)}};
 }
 
 Json event_json(const lab::Event& event) {

@@ -188,3 +188,95 @@ TEST_CASE(
   CHECK(soon->reading > back + 300);
   CHECK(soon->reading < reading - 10);
 }
+
+namespace {
+
+/// Cycles of q of 20 kPa about 0. p′ is `left` of 100 kPa. One stage, or one for each half cycle.
+void apply_cycles(Alarm& alarm, double from, double to, double (*left)(double),
+                  bool stage_each = false) {
+  constexpr int kPerCycle = 80;
+  for (int i = static_cast<int>(from * kPerCycle); i < to * kPerCycle; ++i) {
+    const double n = static_cast<double>(i) / kPerCycle;
+    State s;
+    s.reading = i;
+    s.time_s = i;
+    s.stage = stage_each ? 1 + static_cast<int>(2 * n + 0.5) : 1;
+    s.q = 2e4 * std::sin(2 * 3.14159265358979 * n);
+    s.p_eff = 1e5 * left(n);
+    s.strain.axial =
+        2e-3 * s.q / s.p_eff - 1e-4 * std::cos(2 * 3.14159265358979 * n) / std::pow(left(n), 2);
+    s.volumetric_strain = 0;
+    alarm.watch(s);
+  }
+}
+
+double flow_of_cycles(double n) { return std::sqrt(std::max(0.01, 1 - n / 10)); }
+/// Falls from 0.9 to 0.4 in the fourth cycle and no further, as in cyclic mobility.
+double mobility_of_cycles(double n) { return n < 4 ? 0.9 : std::max(0.4, 0.9 - 0.5 * (n - 4)); }
+
+}  // namespace
+
+TEST_CASE("Alarm: imminent within one load cycle of a cyclic failure", "[warning][cyclic]") {
+  Said said;
+  RecordHeader header = shear_header(AxialControl::load);
+  bool stage_each = false;
+  SECTION("one stage") {}
+  SECTION("a stage for each half cycle") {
+    stage_each = true;
+    for (int number = 2; number < 25; ++number) {
+      header.stages.push_back(header.stages.front());
+      header.stages.back().number = number;
+    }
+  }
+  Alarm alarm(header, {said.listener()});
+  apply_cycles(alarm, 0, 9.5, flow_of_cycles, stage_each);
+  CHECK(alarm.level() == WarningLevel::imminent);
+  REQUIRE(alarm.imminent());
+  REQUIRE(alarm.imminent()->cyclic);
+  CHECK(alarm.imminent()->cyclic->probability >= CyclicWarning::kIssue);
+  CHECK(alarm.imminent()->cyclic->load_cycles > 6);
+  CHECK(std::isnan(alarm.imminent()->eta));
+  const Event* imminent = said.first(EventKind::imminent);
+  REQUIRE(imminent);
+  CHECK(imminent->detail.find("the probability of failure within one load cycle is ") == 0);
+  CHECK_FALSE(said.first(EventKind::warning_withdrawn));
+  alarm.lose();
+  CHECK(alarm.level() == WarningLevel::lost);
+  CHECK(alarm.imminent());
+}
+
+TEST_CASE("Alarm: withdraws the cyclic warning with its probability", "[warning][cyclic]") {
+  Said said;
+  const RecordHeader header = shear_header(AxialControl::load);
+  Alarm alarm(header, {said.listener()});
+  apply_cycles(alarm, 0, 12, mobility_of_cycles);
+  REQUIRE(said.first(EventKind::imminent));
+  const Event* withdrawn = said.first(EventKind::warning_withdrawn);
+  REQUIRE(withdrawn);
+  CHECK(withdrawn->detail.find("warning withdrawn: the probability of failure within one load "
+                               "cycle is ") == 0);
+  CHECK(alarm.level() == WarningLevel::none);
+  CHECK_FALSE(alarm.imminent());
+}
+
+TEST_CASE("Alarm: no cyclic warning unless the drainage is closed", "[warning][cyclic]") {
+  Said said;
+  const RecordHeader header = shear_header(AxialControl::load, Drainage::open);
+  Alarm alarm(header, {said.listener()});
+  apply_cycles(alarm, 0, 9.5, flow_of_cycles);
+  for (const Event& event : said.events)
+    CHECK(event.detail.find("load cycle") == std::string::npos);
+}
+
+TEST_CASE("Alarm: an interruption withdraws the cyclic warning", "[warning][cyclic]") {
+  Said said;
+  const RecordHeader header = shear_header(AxialControl::load);
+  Alarm alarm(header, {said.listener()});
+  apply_cycles(alarm, 0, 9, flow_of_cycles);
+  REQUIRE(alarm.level() == WarningLevel::imminent);
+  alarm.interrupt("pore_pressure_kPa is stuck");
+  CHECK(alarm.level() == WarningLevel::none);
+  REQUIRE(said.first(EventKind::warning_withdrawn));
+  CHECK(said.first(EventKind::warning_withdrawn)->detail ==
+        "warning withdrawn: pore_pressure_kPa is stuck");
+}
