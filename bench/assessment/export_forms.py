@@ -175,7 +175,8 @@ def forms(test, seed):
         rows = cut(random, test.rows, test.loss_s, how)
         if rows:
             text, rows = write(rows)
-            yield how, text, numbers(rows)
+            if len(rows) >= MIN_ROWS:
+                yield how, text, numbers(rows)
 
 
 def main():
