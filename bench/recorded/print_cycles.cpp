@@ -3,7 +3,7 @@
 // Prints what CyclicWarning finds in each reading of undrained cyclic tests: the probability, 1 if
 // the warning is in force, 1 if q has turned and the load was carried, and the four numbers ("-"
 // without any). A file has lines with q in kPa, p' in kPa and axial strain in % (compression
-// positive), separated by blanks. Files are separated by an empty line in the output.
+// positive), separated by spaces. Files are separated by an empty line in the output.
 #include <fmt/format.h>
 
 #include <fstream>

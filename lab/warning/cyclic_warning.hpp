@@ -150,7 +150,7 @@ class CyclicWarning {
   std::array<double, 2> reached_{};  ///< largest |s| a cycle ago and before, by the sign of q
   bool has_virtual_cycle_ = true;
   int turns_ = 0;
-  bool counts_cycles_ = false;  ///< the record says that the test is cyclic
+  bool counts_cycles_ = false;  ///< the record counts load cycles
   Restart restart_ = Restart::none;
   double restarted_at_ = 0;
   std::optional<Numbers> numbers_;
