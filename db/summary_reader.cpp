@@ -108,18 +108,18 @@ lab::Outlook read_outlook(Columns& c) {
 }
 
 void read_outlooks(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
-  for_rows(database, id,
-           "SELECT level, reading, time_s, eta_forecast, eta_low, eta_high, left_quantity, "
-           "left_value, left_time_s, failure_probability, load_cycles FROM outlooks "
-           "WHERE test_id = ?",
-           [&](Columns& c) {
-             const bool imminent = lab::warning_level_from(c.text()) == lab::WarningLevel::imminent;
-             auto& forecast = imminent ? collapse.imminent : collapse.approaching;
-             forecast = read_outlook(c);
-             const auto probability = c.number();
-             const auto load_cycles = c.number();
-             if (probability && load_cycles) forecast->cyclic = {*probability, *load_cycles};
-           });
+  for_rows(
+      database, id,
+      "SELECT level, failure_probability, load_cycles, reading, time_s, eta_forecast, eta_low, "
+      "eta_high, left_quantity, left_value, left_time_s FROM outlooks WHERE test_id = ?",
+      [&](Columns& c) {
+        const bool imminent = lab::warning_level_from(c.text()) == lab::WarningLevel::imminent;
+        auto& forecast = imminent ? collapse.imminent : collapse.approaching;
+        const auto probability = c.number();
+        const auto load_cycles = c.number();
+        forecast = read_outlook(c);
+        if (probability && load_cycles) forecast->cyclic = {*probability, *load_cycles};
+      });
 }
 
 void read_undrained_strength(SQLite::Database& database, std::int64_t id,
