@@ -35,12 +35,17 @@ def before(lead) -> str:
     return f"{n} before" if n > 0 else f"{-n} after" if n < 0 else "at it"
 
 
+def stated(forecast: dict) -> str:
+    probability = forecast["failure_probability"]
+    return f"η {forecast['eta_forecast']:.2f}" if probability is None else f"failure within a cycle {probability:.0%}"
+
+
 def said(told: dict, level: str) -> str:
     lead, outlook = told["live"]["before_onset"][level], told["collapse"]["warning"][level]
     if lead:
-        return f"{before(lead)}, η {outlook['eta_forecast']:.2f}"
+        return f"{before(lead)}, {stated(outlook)}"
     if outlook:
-        return f"at reading {outlook['reading']}, η {outlook['eta_forecast']:.2f}"
+        return f"at reading {outlook['reading']}, {stated(outlook)}"
     times = sum(row["event"] is not None and row["event"]["kind"] == level for row in told["live"]["rows"])
     return "–" if times == 0 else f"{times} ×, taken back"
 
