@@ -60,6 +60,7 @@ TEST_CASE("ComposedNames: a slash and a preposition do not make another name") {
   CHECK(find_composed("Rapport déviateur/pression moyenne effective") == "stress_ratio ");
   CHECK(find_composed("Druck in der Zelle") == "cell_pressure ");
   CHECK(find_composed("Druck in").empty());  // inches
+  CHECK(find_composed("Height of sample at reading") == "specimen_height ");
 }
 
 TEST_CASE("ComposedNames: two quantities with the same name are both found") {
