@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lab/measured/cycles.hpp"
+
 namespace triax::lab {
 namespace {
 
@@ -78,9 +80,13 @@ double CyclicWarning::sine(double q, double p_eff) const {
   return 3 * eta / (6 + eta);
 }
 
+double CyclicWarning::min_range() const {
+  return std::max(kMinRange * first_->p_eff, CycleCounter::kNoises * noise_.value());
+}
+
 double CyclicWarning::range() const {
   if (ends_[0] && ends_[1]) return *ends_[1] - *ends_[0];
-  return std::max(high_ - low_, kMinRange * first_->p_eff);
+  return std::max(high_ - low_, min_range());
 }
 
 double CyclicWarning::middle() const {
@@ -101,6 +107,7 @@ bool CyclicWarning::add(const State& state) {
   if (!latest_) begin(state);
   const double at = has_time_ ? state.time_s : count_++;
   load_was_carried_ = false;
+  noise_.add(state.q);
   low_ = std::min(low_, state.q);
   high_ = std::max(high_, state.q);
   work_ += (state.q + latest_->q) / 2 * (state.strain.axial - latest_->strain.axial);
@@ -129,7 +136,7 @@ bool CyclicWarning::rests(double q, double at) {
 void CyclicWarning::follow(Sample sample, double at) {
   if (direction_ == 0) {
     const double moved = sample.q - start_q_;
-    if (std::fabs(moved) > kMinRange * first_->p_eff) direction_ = moved > 0 ? 1 : -1;
+    if (std::fabs(moved) > min_range()) direction_ = moved > 0 ? 1 : -1;
     current_.set_direction(direction_);
     compare(sample);
     current_.add(sample);
@@ -140,7 +147,7 @@ void CyclicWarning::follow(Sample sample, double at) {
     if (!behind_) behind_.emplace(-direction_);
     behind_->add(sample);
     const double back = direction_ * (extreme_.q - sample.q);
-    if (back > std::max(kMinRange * first_->p_eff, kTurn * range())) turn(sample, at);
+    if (back > std::max(min_range(), kTurn * range())) turn(sample, at);
   }
 }
 

@@ -32,6 +32,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/measured/bend_noise.hpp"
 #include "lab/results/state.hpp"
 
 namespace triax::lab {
@@ -69,7 +70,8 @@ class LoadBranch {
 };
 
 /// Processes the states of undrained shear one at a time, in constant memory. It counts in load
-/// cycles: a turn is a point from which q comes back by a tenth of its range. If an end of the load
+/// cycles: a turn is a point from which q comes back by a tenth of its range, 2 % of p′₀ and
+/// CycleCounter::kNoises times its noise. If an end of the load
 /// moves by more than 8 % of the range, or the load rests for longer than a cycle, the comparison
 /// starts again with the next cycle. A warning is issued at P = 0.6. It is withdrawn
 /// below P = 0.1 at a turn of q, if the specimen carried the load up to there. It is never changed
@@ -128,6 +130,7 @@ class CyclicWarning {
   std::optional<Work> work_of_cycle() const;
   std::vector<const LoadBranch::Sample*> latest_cycle() const;
   double sine(double q, double p_eff) const;
+  double min_range() const;
   double range() const;
   double middle() const;
   std::optional<double>& end(int direction) { return ends_[direction > 0 ? 1 : 0]; }
@@ -137,6 +140,7 @@ class CyclicWarning {
   double start_q_ = 0;         ///< of the first half cycle, Pa
   double low_ = 0, high_ = 0;  ///< of q, Pa
   double count_ = 0, work_ = 0;
+  BendNoise noise_;  ///< of q
   std::optional<State> latest_;
   int direction_ = 0;                          ///< of q; 0 before it moved
   Turn extreme_;                               ///< of q since the last turn
