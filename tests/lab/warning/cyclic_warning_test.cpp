@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <random>
 
 using namespace triax::lab;
 
@@ -67,6 +68,20 @@ TEST_CASE("CyclicWarning: issues a warning before a flow failure", "[warning][cy
     CHECK(warning.cycles() == Approx(9.0).margin(0.5));
     CHECK(warning.restart() == CyclicWarning::Restart::none);
   }
+}
+
+TEST_CASE("CyclicWarning: noise of a held load is no cycle", "[warning][cyclic]") {
+  CyclicWarning warning(true);
+  CyclicPath path{.q_a_pa = 0, .q_m_pa = 3e4};
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0, 1.5e3);
+  for (int i = 0; i < 500; ++i) {
+    State state = path.next();
+    state.q += noise(random);
+    warning.add(state);
+  }
+  CHECK_FALSE(warning.is_cyclic());
+  CHECK(warning.cycles() < 1);
 }
 
 TEST_CASE("CyclicWarning: issues none while a specimen shakes down", "[warning][cyclic]") {
