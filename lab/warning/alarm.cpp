@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lab/base/listeners.hpp"
 #include "lab/measured/path_sampler.hpp"
 #include "lab/warning/warning_words.hpp"
 
@@ -64,8 +65,8 @@ void Alarm::watch(const State& state) {
   const bool changed = levels_.look(inside, eta ? limit_.below(q, state.p_eff) : 1);
   if (level() != before) say(state);
   if (!eta || !(is_new || changed)) return;
-  for (const AlarmListener& listener : listeners_)
-    if (listener.foreseen) listener.foreseen(*levels_.current_forecast(state));
+  if (is_heard(listeners_, &AlarmListener::foreseen))
+    tell(listeners_, &AlarmListener::foreseen, *levels_.current_forecast(state));
 }
 
 /// The forecast of η is for a load that grows.
@@ -78,14 +79,17 @@ void Alarm::watch_cycles(const State& state, WarningLevel before) {
   if (level() != before) say(state);
 }
 
-/// Of the cyclic warning while it is in force, else of η.
-std::optional<Forecast> Alarm::current_forecast(const State& state) const {
-  if (!cyclic_.is_imminent()) return levels_.current_forecast(state);
+Forecast Alarm::cyclic_forecast(const State& state) const {
   Forecast forecast{
       .reading = state.reading, .eta = kMissing, .eta_low = kMissing, .eta_high = kMissing};
   if (header_.has_time) forecast.time_s = state.time_s;
   forecast.cyclic = CyclicForecast{cyclic_.probability(), cyclic_.cycles()};
   return forecast;
+}
+
+/// Of the cyclic warning while it is in force, else of η.
+std::optional<Forecast> Alarm::current_forecast(const State& state) const {
+  return cyclic_.is_imminent() ? cyclic_forecast(state) : levels_.current_forecast(state);
 }
 
 void Alarm::say(const State& state) {
@@ -96,12 +100,7 @@ void Alarm::say(const State& state) {
   if (level == WarningLevel::imminent) imminent_ = forecast;
   Event event = level_event(level, *forecast);
   if (forecast->cyclic) event.detail += restart_words(cyclic_);
-  report(event);
-}
-
-void Alarm::report(const Event& event) const {
-  for (const AlarmListener& listener : listeners_)
-    if (listener.happened) listener.happened(event);
+  tell(listeners_, &AlarmListener::happened, event);
 }
 
 /// Says so where something had been said that no loss has made true.
@@ -110,12 +109,9 @@ void Alarm::take_back(const State& state, const std::string& reason) {
   const bool was_cyclic = imminent_ && imminent_->cyclic;
   approaching_.reset();
   imminent_.reset();
-  auto forecast = levels_.current_forecast(state);
-  if (was_cyclic) {
-    forecast = Forecast{.reading = state.reading};
-    forecast->cyclic = CyclicForecast{cyclic_.probability(), cyclic_.cycles()};
-  }
-  report(withdrawal_event(state, header_.has_time, forecast, reason));
+  const auto forecast = was_cyclic ? cyclic_forecast(state) : levels_.current_forecast(state);
+  tell(listeners_, &AlarmListener::happened,
+       withdrawal_event(state, header_.has_time, forecast, reason));
 }
 
 void Alarm::interrupt(const std::string& reason) {

@@ -50,8 +50,8 @@ class Alarm {
  private:
   void start_stage(const State& state);
   bool is_cyclic_watched(const StageInfo* stage) const;
-  void report(const Event& event) const;
   void watch_cycles(const State& state, WarningLevel before);
+  Forecast cyclic_forecast(const State& state) const;
   std::optional<Forecast> current_forecast(const State& state) const;
   void take_back(const State& state, const std::string& reason);
   void say(const State& state);

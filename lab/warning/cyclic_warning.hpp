@@ -24,9 +24,9 @@
 // is the probability that the specimen fails within one load cycle. bench/recorded/fit_cyclic.py
 // fits c to recorded tests (30 tests on Toyoura sand, github.com/ku-geo) and prints how well the
 // model does on tests that it was not fitted to. The numbers contain no level of friction or
-// strain, so they do not depend on the density. Dense sand that
-// shows cyclic mobility gets one warning, when it loses most of p′ for the first time; the warning
-// is withdrawn. Not tried: clay, strain-controlled cycles.
+// strain, so they do not depend on the density. Dense sand that shows cyclic mobility gets one
+// warning, when it loses most of p′ for the first time; the warning is withdrawn. Not tried: clay,
+// strain-controlled cycles.
 #include <array>
 #include <optional>
 #include <string>
@@ -70,12 +70,11 @@ class LoadBranch {
 };
 
 /// Processes the states of undrained shear one at a time, in constant memory. It counts in load
-/// cycles: a turn is a point from which q comes back by a tenth of its range, 2 % of p′₀ and
-/// CycleCounter::kNoises times its noise. If an end of the load
-/// moves by more than 8 % of the range, or the load rests for longer than a cycle, the comparison
-/// starts again with the next cycle. A warning is issued at P = 0.6. It is withdrawn
-/// below P = 0.1 at a turn of q, if the specimen carried the load up to there. It is never changed
-/// while the comparison starts again.
+/// cycles: at a turn, q comes back by more than a tenth of its range, 2 % of p′₀, and
+/// CycleCounter::kNoises times its noise. If an end of the load moves by more than 8 % of the
+/// range, or the load rests for longer than a cycle, the comparison starts again with the next
+/// cycle. A warning is issued at P = 0.6. It is withdrawn below P = 0.1 at a turn of q, if the
+/// specimen carried the load up to there. It is never changed while the comparison starts again.
 class CyclicWarning {
  public:
   enum class Restart { none, larger_load, smaller_load, rest, interruption };

@@ -193,15 +193,15 @@ std::optional<Forecast> WarningLevels::current_forecast(const State& now) const 
   const double low =
       std::max(forecast()->eta - kOf90 * forecast()->error, std::min(eta_now_, forecast()->eta));
   const double high = forecast()->eta + kOf90 * forecast()->error;
-  Forecast told{.reading = now.reading,
-                .time_s = {},
-                .eta = *eta,
-                .eta_low = low,
-                .eta_high = high,
-                .left = left(forecast()->eta)};
-  if (has_time_) told.time_s = now.time_s;
-  if (*eta < 0) told.eta_low = -high, told.eta_high = -low;
-  return told;
+  Forecast current{.reading = now.reading,
+                   .time_s = {},
+                   .eta = *eta,
+                   .eta_low = low,
+                   .eta_high = high,
+                   .left = left(forecast()->eta)};
+  if (has_time_) current.time_s = now.time_s;
+  if (*eta < 0) current.eta_low = -high, current.eta_high = -low;
+  return current;
 }
 
 }  // namespace triax::lab
