@@ -352,7 +352,7 @@ std::vector<lab::SecondOrderWorkPoint> Store::second_order_work(std::int64_t id)
   });
 }
 
-std::vector<lab::Outlook> Store::forecasts(std::int64_t id) const {
+std::vector<lab::Forecast> Store::forecasts(std::int64_t id) const {
   return impl_->guarded([&] { return read_forecasts(impl_->database, id); });
 }
 

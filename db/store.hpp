@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "db/revisions.hpp"
-#include "lab/results/outlook.hpp"
+#include "lab/results/forecast.hpp"
 #include "lab/results/reading.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/second_order_work_point.hpp"
@@ -117,7 +117,7 @@ class Store {
   std::int64_t scan_count(std::int64_t id) const;
   std::vector<lab::SecondOrderWorkPoint> second_order_work(std::int64_t id) const;
   /// What the alarm forecast while the test ran, in the order in which it was said.
-  std::vector<lab::Outlook> forecasts(std::int64_t id) const;
+  std::vector<lab::Forecast> forecasts(std::int64_t id) const;
 
  private:
   struct Impl;

@@ -96,8 +96,8 @@ std::optional<lab::LeftToOnset> read_left(Columns& c) {
   return std::nullopt;
 }
 
-lab::Outlook read_outlook(Columns& c) {
-  lab::Outlook o;
+lab::Forecast read_outlook(Columns& c) {
+  lab::Forecast o;
   o.reading = c.integer().value_or(0);
   o.time_s = c.number();
   o.eta = c.number().value_or(lab::kMissing);
@@ -262,8 +262,8 @@ void read_summary(SQLite::Database& database, std::int64_t id, lab::TestSummary&
   read_truth(database, id, summary.truth);
 }
 
-std::vector<lab::Outlook> read_forecasts(SQLite::Database& database, std::int64_t id) {
-  std::vector<lab::Outlook> forecasts;
+std::vector<lab::Forecast> read_forecasts(SQLite::Database& database, std::int64_t id) {
+  std::vector<lab::Forecast> forecasts;
   for_rows(database, id,
            "SELECT id & 4294967295, time_s, eta_forecast, eta_low, eta_high, left_quantity, "
            "left_value, left_time_s FROM forecast_points "

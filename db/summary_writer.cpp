@@ -136,7 +136,7 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
 }
 
 /// All but its reading.
-void bind_outlook(Binder& row, const lab::Outlook& outlook) {
+void bind_outlook(Binder& row, const lab::Forecast& outlook) {
   const auto& left = outlook.left;
   row.number(outlook.time_s)
       .number(outlook.eta)
@@ -236,13 +236,13 @@ void insert_checks(SQLite::Database& database, std::int64_t id,
 }  // namespace
 
 void insert_forecasts(SQLite::Database& database, std::int64_t test_id,
-                      const std::vector<lab::Outlook>& forecasts) {
+                      const std::vector<lab::Forecast>& forecasts) {
   if (forecasts.empty()) return;
   Statement insert(database,
                    "INSERT INTO forecast_points VALUES (?,?,?,?,?,?,?,?) "
                    // As of points of second-order work: the first at a reading stands.
                    "ON CONFLICT (id) DO NOTHING");
-  for (const lab::Outlook& forecast : forecasts) {
+  for (const lab::Forecast& forecast : forecasts) {
     Binder row(insert);
     row.integer(test_id << 32 | forecast.reading);
     bind_outlook(row, forecast);

@@ -11,7 +11,7 @@
 namespace triax::db {
 
 void insert_forecasts(SQLite::Database& database, std::int64_t test_id,
-                      const std::vector<lab::Outlook>& forecasts);
+                      const std::vector<lab::Forecast>& forecasts);
 /// All that a summary holds, and `complete`.
 void insert_summary(SQLite::Database& database, std::int64_t test_id,
                     const lab::TestSummary& summary);

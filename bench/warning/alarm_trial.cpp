@@ -78,7 +78,7 @@ lab::Programme varied_for_alarm(const Subject& subject, std::uint64_t seed,
 
 std::optional<lab::EarlierTest> as_recorded(const lab::RecordHeader& header,
                                             lab::TestSummary summary,
-                                            const std::vector<lab::Outlook>& forecasts) {
+                                            const std::vector<lab::Forecast>& forecasts) {
   summary.truth.reset();
   return lab::earlier_test(header, summary, forecasts);
 }
@@ -98,8 +98,8 @@ AlarmTest run_alarm_test(const Subject& subject, std::uint64_t seed) {
     const lab::StageInfo* stage = test.header.stage(state.stage);
     work.add(rig.specimen_state(), reading.number, lab::is_watched(stage));
   };
-  std::vector<lab::Outlook> forecasts;
-  also.foreseen = [&](const lab::Outlook& one) { forecasts.push_back(one); };
+  std::vector<lab::Forecast> forecasts;
+  also.foreseen = [&](const lab::Forecast& one) { forecasts.push_back(one); };
   also.second_order_work = [&](const lab::SecondOrderWorkPoint& point) { errors.add(point); };
   const lab::TestSummary summary = lab::run_session(rig, {}, {heard.listener(), also});
 

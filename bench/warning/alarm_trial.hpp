@@ -78,7 +78,7 @@ AlarmTest run_alarm_test(const Subject& subject, std::uint64_t seed);
 /// What its report says to tests that come after it, without the specimen's truth.
 std::optional<lab::EarlierTest> as_recorded(const lab::RecordHeader& header,
                                             lab::TestSummary summary,
-                                            const std::vector<lab::Outlook>& forecasts);
+                                            const std::vector<lab::Forecast>& forecasts);
 
 /// The same readings, told to an alarm that knows of earlier tests; `also` listens.
 AlarmTrial heard_again(const AlarmTest& test, const lab::EarlierTests& earlier,

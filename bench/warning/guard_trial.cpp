@@ -33,8 +33,8 @@ void run_as_it_is(const lab::Programme& programme, GuardTrial& t) {
   listener.happened = [&](const lab::Event& event) {
     if (event.kind == lab::EventKind::lost && !known_s) known_s = times.back();
   };
-  std::vector<lab::Outlook> forecasts;
-  listener.foreseen = [&](const lab::Outlook& one) { forecasts.push_back(one); };
+  std::vector<lab::Forecast> forecasts;
+  listener.foreseen = [&](const lab::Forecast& one) { forecasts.push_back(one); };
   const lab::TestSummary summary = lab::run_session(rig, {}, {listener});
   const lab::Truth& truth = *summary.truth;
   t.earlier = as_recorded(rig.header(), summary, forecasts);

@@ -43,7 +43,7 @@ lab::SessionListener Heard::listener() {
     ++points_;
     if (level() != lab::WarningLevel::none) ++wrong_points_;
   };
-  listener.foreseen = [this](const lab::Outlook& outlook) {
+  listener.foreseen = [this](const lab::Forecast& outlook) {
     forecasts_.push_back({now_s_, *stage_, eta_, outlook});
   };
   listener.happened = [this](const lab::Event& event) {
@@ -88,7 +88,7 @@ void Heard::judge_collapse(const lab::Truth& truth, AlarmTrial& r) const {
       if (one.known_s <= then && one.stage == begin.stage) stands = &one;
     r.looks[i].reset();
     if (!stands) continue;
-    const lab::Outlook& o = stands->outlook;
+    const lab::Forecast& o = stands->outlook;
     r.looks[i] = Look{.error = o.eta - r.eta,
                       .covered = o.eta_low <= r.eta && r.eta <= o.eta_high,
                       .now = stands->eta_now};

@@ -35,7 +35,7 @@ class Heard {
     double known_s;
     int stage;
     double eta_now;
-    lab::Outlook outlook;
+    lab::Forecast outlook;
   };
   lab::WarningLevel level() const {
     return levels_.empty() ? lab::WarningLevel::none : levels_.back().level;

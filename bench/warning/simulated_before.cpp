@@ -50,9 +50,9 @@ SimulatedBefore simulated_before(const Subject& subject, std::uint64_t seed) {
         stage.logging.interval_s =
             std::min(stage.logging.interval_s, as_written.logging.interval_s);
   lab::VirtualRig rig(programme, seed);
-  std::vector<lab::Outlook> forecasts;
+  std::vector<lab::Forecast> forecasts;
   lab::SessionListener listener;
-  listener.foreseen = [&](const lab::Outlook& one) { forecasts.push_back(one); };
+  listener.foreseen = [&](const lab::Forecast& one) { forecasts.push_back(one); };
   const lab::TestSummary summary = lab::run_session(rig, {}, {listener});
   SimulatedBefore before;
   if (const auto& truth = summary.truth; truth && truth->lost_sustainability)

@@ -22,7 +22,7 @@ namespace triax::db {
 struct Batch {
   std::vector<Scan> scans;
   std::vector<lab::SecondOrderWorkPoint> work;
-  std::vector<lab::Outlook> forecasts;
+  std::vector<lab::Forecast> forecasts;
   std::vector<lab::Event> events;
 
   std::size_t rows() const { return scans.size() + work.size() + forecasts.size() + events.size(); }

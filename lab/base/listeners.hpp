@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Listening, one way for all: a listener is a plain struct of std::functions, any of which may be
-// empty; who works is given a list of them and tells each in its order, in its own thread. What a
-// listener throws goes through the work to who called it.
+// A listener is a plain struct of std::functions, any of which may be empty. A list of them is
+// called in its order, in the thread that calls notify(). What a listener throws passes through.
 #include <algorithm>
 #include <functional>
 #include <vector>
 
 namespace triax::lab {
 
-/// Calls `what` of every listener that has it.
+/// Calls `what` of every listener that has it, in order.
 template <class Listener, class... Told, class... Given>
-void tell(const std::vector<Listener>& listeners, std::function<void(Told...)> Listener::*what,
-          const Given&... given) {
+void notify(const std::vector<Listener>& listeners, std::function<void(Told...)> Listener::*what,
+            const Given&... given) {
   for (const Listener& listener : listeners)
     if (listener.*what) (listener.*what)(given...);
 }

@@ -291,13 +291,13 @@ void CollapseMonitor::Impl::end_stage() {
 
 void CollapseMonitor::Impl::take(const PathPoint& point) {
   ++points;
-  tell(listeners, &CollapseListener::second_order_work,
-       SecondOrderWorkPoint{.reading = std::llround(point.reading),
-                            .time_s = header.has_time ? point.progress : kMissing,
-                            .work = point.work,
-                            .normalised_error = point.normalised_error,
-                            .window_readings = point.window_readings,
-                            .axial_strain_path = header.has_time ? kMissing : point.progress});
+  notify(listeners, &CollapseListener::second_order_work,
+         SecondOrderWorkPoint{.reading = std::llround(point.reading),
+                              .time_s = header.has_time ? point.progress : kMissing,
+                              .work = point.work,
+                              .normalised_error = point.normalised_error,
+                              .window_readings = point.window_readings,
+                              .axial_strain_path = header.has_time ? kMissing : point.progress});
   for (const PathPoint& driven : rest.add(point)) judge(driven);
 }
 
@@ -324,15 +324,15 @@ void CollapseMonitor::Impl::tell_of_descent() {
   const bool on_limit = limit.inside(onset.q, onset.p_eff, onset.reading) == false;
   const bool failed = descent->drained || !limit.needs_cohesion(onset.q, onset.p_eff).empty();
   if (!is_heard(listeners, &CollapseListener::happened)) return;
-  tell(listeners, &CollapseListener::happened,
-       Event{.reading = at.reading,
-             .time_s = at.time_s,
-             .kind = on_limit ? EventKind::limit_surface
-                     : failed ? EventKind::failure
-                              : EventKind::loss_of_sustainability,
-             .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
-                                   "{:.3f} and stays negative",
-                                   *at.q_pa / 1e3, *at.p_eff_pa / 1e3, onset.eta())});
+  notify(listeners, &CollapseListener::happened,
+         Event{.reading = at.reading,
+               .time_s = at.time_s,
+               .kind = on_limit ? EventKind::limit_surface
+                       : failed ? EventKind::failure
+                                : EventKind::loss_of_sustainability,
+               .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
+                                     "{:.3f} and stays negative",
+                                     *at.q_pa / 1e3, *at.p_eff_pa / 1e3, onset.eta())});
 }
 
 void CollapseMonitor::interrupt() { impl_->stage.reset(); }

@@ -115,7 +115,7 @@ class Stages {
       throw WorkFailed(
           fmt::format("stage '{}': its start '{}' was never reached", stage.name, stage.from));
     const sim::GrainState start = from->second;
-    tell(listeners_, &GrainListener::stage_started, stage, start);
+    notify(listeners_, &GrainListener::stage_started, stage, start);
     GrainStageResult result;
     result.stage = &stage;
     result.before = measure(start);
@@ -136,7 +136,7 @@ class Stages {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - clock).count();
     result.after = measure(end_);
     if (result.steps == 0) result.steps = end_.steps - start.steps;
-    tell(listeners_, &GrainListener::stage_ended, stage, end_, result);
+    notify(listeners_, &GrainListener::stage_ended, stage, end_, result);
     keep_marks(stage, result, place);
     keep(stage.name, std::move(end_), place);
     forget(place);
@@ -148,7 +148,7 @@ class Stages {
     sim::GrainPathWatch watch;
     if (is_heard(listeners_, &GrainListener::point_kept))
       watch = [&](const sim::GrainState& state, const sim::GrainPathPoint& point) {
-        tell(listeners_, &GrainListener::point_kept, stage, state, point);
+        notify(listeners_, &GrainListener::point_kept, stage, state, point);
       };
     sim::GrainPathResult result = follow(start, work.path, threads_, progress_, watch);
     stopped_ = result.end == sim::GrainPathEnd::stopped;
@@ -247,7 +247,7 @@ bool run_grains(const GrainProgramme& programme, const GrainRunOptions& options,
     throw WorkFailed(fmt::format("building the specimen: {}", error.what()));
   }
   if (!made) return false;
-  tell(listeners, &GrainListener::made, *made);
+  notify(listeners, &GrainListener::made, *made);
   return Stages(programme, options, listeners).run(std::move(made->state));
 }
 

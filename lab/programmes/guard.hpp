@@ -4,7 +4,7 @@
 // about to be lost.
 #include <string_view>
 
-#include "lab/results/outlook.hpp"
+#include "lab/results/forecast.hpp"
 
 namespace triax::lab {
 

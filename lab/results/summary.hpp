@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/results/outlook.hpp"
+#include "lab/results/forecast.hpp"
 #include "lab/results/record_header.hpp"
 
 namespace triax::lab {
@@ -168,7 +168,7 @@ struct Collapse {
   /// When the collapse (a failure is none) was first known; empty: only when the record had ended.
   std::optional<Moment> noticed;
   /// Where these levels were said first without having been taken back since.
-  std::optional<Outlook> approaching, imminent;
+  std::optional<Forecast> approaching, imminent;
   std::optional<double> second_order_work_normalised;  ///< at the first significant window (or the
                                                        ///< nearest to it), or over a fall
   std::optional<double> second_order_work_error;
@@ -200,9 +200,6 @@ struct Collapse {
   /// With it goes a limit that only the failure at the onset had shown.
   void remove_onset();
 };
-
-/// What a warning states.
-using Forecast = decltype(Collapse::imminent)::value_type;
 
 struct CycleInstant {
   Instant instant;

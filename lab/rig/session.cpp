@@ -128,7 +128,7 @@ class SessionRun {
         pace_(options) {}
 
   TestSummary run() {
-    tell(listeners_, &SessionListener::started, back_end_.header());
+    notify(listeners_, &SessionListener::started, back_end_.header());
     Reading reading;
     while (back_end_.next(reading)) {
       pace_.wait_for(reading.time_s);
@@ -144,7 +144,7 @@ class SessionRun {
     tell_of_sensors();
     pass_on();
     summarise();
-    tell(listeners_, &SessionListener::progressed, 1.0);
+    notify(listeners_, &SessionListener::progressed, 1.0);
     return std::move(summary_);
   }
 
@@ -154,7 +154,7 @@ class SessionRun {
   void take(const Reading& reading);
   void tell_of(Event event) {
     if (!ended_) event.noticed = last_reading_;
-    tell(listeners_, &SessionListener::happened, event);
+    notify(listeners_, &SessionListener::happened, event);
   }
   void tell_of_the_rig() {
     for (const Event& event : back_end_.events()) tell_of(event);
@@ -182,7 +182,7 @@ class SessionRun {
   FallWatch fall_watch_;
   std::optional<double> work_;  ///< normalised, at the latest point of second-order work
   std::optional<Event> lost_;   ///< the first fall that was seen
-  std::pair<std::optional<Outlook>, std::optional<Outlook>> acted_on_;  ///< approaching, imminent
+  std::pair<std::optional<Forecast>, std::optional<Forecast>> acted_on_;  ///< approaching, imminent
   WarningLevel heeded_ = WarningLevel::none;
   std::optional<State> latest_;
   std::optional<double> axial_strain_;  ///< the latest that is known
@@ -206,7 +206,7 @@ CollapseListener SessionRun::monitor_listener() {
               [this](const SecondOrderWorkPoint& p) {
                 gaps_.add(p);
                 work_ = p.work.normalised;
-                tell(listeners_, &SessionListener::second_order_work, p);
+                notify(listeners_, &SessionListener::second_order_work, p);
               },
           .happened =
               [this](const Event& e) {
@@ -216,8 +216,9 @@ CollapseListener SessionRun::monitor_listener() {
 }
 
 AlarmListener SessionRun::alarm_listener() {
-  return {.foreseen = [this](const Outlook& o) { tell(listeners_, &SessionListener::foreseen, o); },
-          .happened = [this](const Event& e) { tell_of(e); }};
+  return {
+      .foreseen = [this](const Forecast& o) { notify(listeners_, &SessionListener::foreseen, o); },
+      .happened = [this](const Event& e) { tell_of(e); }};
 }
 
 void SessionRun::take(const Reading& reading) {
@@ -230,7 +231,7 @@ void SessionRun::take(const Reading& reading) {
   stage_ = reading.stage;
   tell_of_the_rig();
   const State state = reduction_.reduce(reading);
-  tell(listeners_, &SessionListener::scanned, reading, state);
+  notify(listeners_, &SessionListener::scanned, reading, state);
   states_.add(reading, state);
   tell_of_sensors();
   if (!total_stress_ && states_.is_possible(state)) {
@@ -246,7 +247,7 @@ void SessionRun::take(const Reading& reading) {
 void SessionRun::tell_of_sensors() {
   for (const SensorFinding& finding : states_.health().news()) {
     tell_of(sensor_event(finding));
-    tell(listeners_, &SessionListener::doubted, finding);
+    notify(listeners_, &SessionListener::doubted, finding);
     alarm_.interrupt(describe(finding));
     if (finding.channel == Quantity::axial_displacement || finding.channel == Quantity::axial_force)
       fall_watch_.interrupt();
@@ -340,7 +341,7 @@ void SessionRun::pass_on() {
 void SessionRun::tell_progress() {
   const auto now = Clock::now();
   if (now < next_progress_) return;
-  tell(listeners_, &SessionListener::progressed, back_end_.progress());
+  notify(listeners_, &SessionListener::progressed, back_end_.progress());
   next_progress_ = now + std::chrono::milliseconds(50);
 }
 

@@ -21,7 +21,7 @@ struct SessionListener {
   /// A sensor cannot be believed; also told as an event.
   std::function<void(const SensorFinding&)> doubted = {};
   /// A new forecast of the onset, told at the reading after which it was made.
-  std::function<void(const Outlook&)> foreseen;
+  std::function<void(const Forecast&)> foreseen;
   /// Share done, in [0, 1]; about twenty times a second of clock time at most, and 1 at the end.
   std::function<void(double)> progressed;
 };

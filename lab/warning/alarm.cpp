@@ -66,7 +66,7 @@ void Alarm::watch(const State& state) {
   if (level() != before) say(state);
   if (!eta || !(is_new || changed)) return;
   if (is_heard(listeners_, &AlarmListener::foreseen))
-    tell(listeners_, &AlarmListener::foreseen, *levels_.current_forecast(state));
+    notify(listeners_, &AlarmListener::foreseen, *levels_.current_forecast(state));
 }
 
 /// The forecast of η is for a load that grows.
@@ -100,7 +100,7 @@ void Alarm::say(const State& state) {
   if (level == WarningLevel::imminent) imminent_ = forecast;
   Event event = level_event(level, *forecast);
   if (forecast->cyclic) event.detail += restart_words(cyclic_);
-  tell(listeners_, &AlarmListener::happened, event);
+  notify(listeners_, &AlarmListener::happened, event);
 }
 
 /// Says so where something had been said that no loss has made true.
@@ -110,8 +110,8 @@ void Alarm::take_back(const State& state, const std::string& reason) {
   approaching_.reset();
   imminent_.reset();
   const auto forecast = was_cyclic ? cyclic_forecast(state) : levels_.current_forecast(state);
-  tell(listeners_, &AlarmListener::happened,
-       withdrawal_event(state, header_.has_time, forecast, reason));
+  notify(listeners_, &AlarmListener::happened,
+         withdrawal_event(state, header_.has_time, forecast, reason));
 }
 
 void Alarm::interrupt(const std::string& reason) {

@@ -17,7 +17,7 @@ namespace triax::lab {
 struct AlarmListener {
   /// The forecast of η, where there is one: at every point of second-order work, and where a level
   /// is reached or left; never twice at one reading.
-  std::function<void(const Outlook&)> foreseen;
+  std::function<void(const Forecast&)> foreseen;
   /// A level was reached or taken back.
   std::function<void(const Event&)> happened;
 };
@@ -44,8 +44,8 @@ class Alarm {
   /// The higher one of the forecast of η and of the cyclic warning.
   WarningLevel level() const;
   /// Where the levels that stand, or stood when the specimen was lost, were said first.
-  const std::optional<Outlook>& approaching() const { return approaching_; }
-  const std::optional<Outlook>& imminent() const { return imminent_; }
+  const std::optional<Forecast>& approaching() const { return approaching_; }
+  const std::optional<Forecast>& imminent() const { return imminent_; }
 
  private:
   void start_stage(const State& state);
@@ -65,7 +65,7 @@ class Alarm {
   bool is_lost_ = false;  ///< since the start of shear
   std::optional<int> stage_;
   std::optional<State> latest_;
-  std::optional<Outlook> approaching_, imminent_;
+  std::optional<Forecast> approaching_, imminent_;
 };
 
 }  // namespace triax::lab

@@ -23,10 +23,10 @@ std::optional<double> true_eta(const std::optional<Truth>& truth) {
 
 /// The forecast that the path came up to last, until that reading; the last one where it came up
 /// to none.
-const Outlook* reached_by(const std::vector<Outlook>& forecasts, std::int64_t reading) {
-  const Outlook* at = nullptr;
+const Forecast* reached_by(const std::vector<Forecast>& forecasts, std::int64_t reading) {
+  const Forecast* at = nullptr;
   bool was_passed = false;
-  for (const Outlook& one : forecasts) {
+  for (const Forecast& one : forecasts) {
     if (one.reading > reading) break;
     const bool passed = one.left && one.left->value <= 0;
     if (!passed || !was_passed) at = &one;
@@ -38,7 +38,7 @@ const Outlook* reached_by(const std::vector<Outlook>& forecasts, std::int64_t re
 }  // namespace
 
 std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSummary& summary,
-                                        const std::vector<Outlook>& forecasts) {
+                                        const std::vector<Forecast>& forecasts) {
   const Collapse& c = summary.collapse;
   const auto known = true_eta(summary.truth);
   if (!c.judged && !known) return std::nullopt;
@@ -63,7 +63,8 @@ std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSu
     test.in_extension = *c.onset->eta() < 0;
     if (const auto& interval = c.onset->interval)
       test.onset_error = 0.5 * (interval->eta.high - interval->eta.low) / StressSpan::kOf95;
-    const Outlook* reached = test.give > kStiff ? reached_by(forecasts, c.onset->reading) : nullptr;
+    const Forecast* reached =
+        test.give > kStiff ? reached_by(forecasts, c.onset->reading) : nullptr;
     if (reached) {
       test.onset = std::fabs(reached->eta);
       test.onset_error = 0.5 * (reached->eta_high - reached->eta_low) / kOf90;

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/results/outlook.hpp"
+#include "lab/results/forecast.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/summary.hpp"
 #include "lab/warning/driven_path.hpp"
@@ -35,7 +35,7 @@ struct EarlierTest {
 /// knows of the fluid, and the verdict does not: the onset is then the forecast that the path
 /// reached, or the last before the verdict's onset.
 std::optional<EarlierTest> earlier_test(const RecordHeader& header, const TestSummary& summary,
-                                        const std::vector<Outlook>& forecasts);
+                                        const std::vector<Forecast>& forecasts);
 
 class EarlierTests {
  public:

@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/results/outlook.hpp"
+#include "lab/results/forecast.hpp"
 #include "lab/warning/driven_path.hpp"
 #include "lab/warning/earlier_tests.hpp"
 #include "lab/warning/forecast_drift.hpp"

@@ -4,8 +4,8 @@
 // alone.
 #include <optional>
 
+#include "lab/results/forecast.hpp"
 #include "lab/results/state.hpp"
-#include "lab/results/summary.hpp"
 #include "lab/warning/onset_forecast.hpp"
 
 namespace triax::lab {

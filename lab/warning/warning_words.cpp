@@ -20,7 +20,7 @@ std::string describe(const LeftToOnset& left) {
 
 }  // namespace
 
-std::string describe(const Outlook& o) {
+std::string describe(const Forecast& o) {
   if (o.cyclic)
     return fmt::format(
         "the probability of failure within one load cycle is {:.0f} % after {:.1f} cycles",
@@ -46,14 +46,14 @@ std::string describe(const GuardOutcome& g) {
   return told;
 }
 
-Event level_event(WarningLevel level, const Outlook& outlook) {
+Event level_event(WarningLevel level, const Forecast& outlook) {
   return {.reading = outlook.reading,
           .time_s = outlook.time_s,
           .kind = level == WarningLevel::imminent ? EventKind::imminent : EventKind::approaching,
           .detail = describe(outlook)};
 }
 
-Event withdrawal_event(const State& now, bool has_time, const std::optional<Outlook>& outlook,
+Event withdrawal_event(const State& now, bool has_time, const std::optional<Forecast>& outlook,
                        const std::string& reason) {
   Event event{
       .reading = now.reading, .time_s = {}, .kind = EventKind::warning_withdrawn, .detail = reason};

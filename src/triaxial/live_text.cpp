@@ -93,7 +93,7 @@ std::string before_onset(std::int64_t readings, const std::optional<double>& tim
 }
 
 std::string lead_line(const study::LiveLead& lead, const lab::Instant& onset) {
-  const lab::Outlook& o = lead.outlook;
+  const lab::Forecast& o = lead.outlook;
   if (o.cyclic)
     return fmt::format("{}; {}", before_onset(lead.readings, lead.time_s), lab::describe(o));
   std::string line =
@@ -106,7 +106,7 @@ std::string lead_line(const study::LiveLead& lead, const lab::Instant& onset) {
                             holds ? "within its interval" : "outside its interval");
 }
 
-std::string level_line(lab::EventKind kind, const std::optional<lab::Outlook>& stands,
+std::string level_line(lab::EventKind kind, const std::optional<lab::Forecast>& stands,
                        const std::optional<study::LiveLead>& lead, const db::StoredTest& test) {
   if (lead) return lead_line(*lead, *test.summary.collapse.onset);
   if (stands)

@@ -164,7 +164,7 @@ TEST_CASE(
   const lab::SessionListener listener = recorder.listener();
   listener.started(testing::raw_header("a"));
   testing::send_scans(listener, 0, 10);
-  const lab::Outlook said{
+  const lab::Forecast said{
       7,    0.7,  0.61,
       0.58, 0.64, lab::LeftToOnset{lab::Quantity::mean_effective_stress, 3.2e3, 12.5}};
   listener.foreseen(said);

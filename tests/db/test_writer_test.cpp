@@ -28,12 +28,12 @@ TEST_CASE("a test is running, then complete or interrupted, and leaves nothing w
   writer.write(scans);
   db::insert_sweep(database, id, {"s", 1, {{"seed", "1"}}});
   db::insert_event(database, id, {0, {}, lab::EventKind::limit_surface, "a sentence"});
-  db::insert_forecasts(database, id, {lab::Outlook{}});
+  db::insert_forecasts(database, id, {lab::Forecast{}});
   lab::TestSummary summary;
   summary.peak = lab::Instant{};
   summary.collapse.criteria = {{}};
-  summary.collapse.approaching = lab::Outlook{};
-  summary.collapse.imminent = lab::Outlook{};
+  summary.collapse.approaching = lab::Forecast{};
+  summary.collapse.imminent = lab::Forecast{};
   summary.guard = lab::GuardOutcome{.level = lab::WarningLevel::imminent};
   summary.truth = lab::Truth{};
   summary.truth->run_aways = {{}};

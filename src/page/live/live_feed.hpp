@@ -18,7 +18,7 @@
 
 #include "lab/health/sensor_finding.hpp"
 #include "lab/measured/unread_steps.hpp"
-#include "lab/results/outlook.hpp"
+#include "lab/results/forecast.hpp"
 #include "lab/results/reading.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/state.hpp"
@@ -51,7 +51,7 @@ struct LiveEnd {
 };
 struct LiveItem {
   LivePosition at;
-  std::variant<LiveReading, lab::Event, lab::Outlook, lab::SensorFinding, lab::StageInfo, LiveEnd>
+  std::variant<LiveReading, lab::Event, lab::Forecast, lab::SensorFinding, lab::StageInfo, LiveEnd>
       what;
 };
 
@@ -73,7 +73,7 @@ class LiveFeed {
   // By who records, one thread at a time.
   void scanned(const lab::Reading& reading, const lab::State& state);
   void happened(const lab::Event& event);
-  void foreseen(const lab::Outlook& outlook);
+  void foreseen(const lab::Forecast& outlook);
   void doubted(const lab::SensorFinding& finding);
   void stage_began(const lab::StageInfo& stage);
   void progressed(double share);

@@ -33,7 +33,7 @@ Told told(const LiveReading& reading) {
 }
 
 Told told(const lab::Event& event) { return {"event", study::json_line(study::event_json(event))}; }
-Told told(const lab::Outlook& outlook) {
+Told told(const lab::Forecast& outlook) {
   return {"forecast", study::json_line(study::outlook_json(outlook))};
 }
 

@@ -88,11 +88,11 @@ std::vector<lab::SecondOrderWorkPoint> thin(const std::vector<lab::SecondOrderWo
   return kept;
 }
 
-std::vector<lab::Outlook> thin(const std::vector<lab::Outlook>& forecasts, std::int64_t buckets) {
+std::vector<lab::Forecast> thin(const std::vector<lab::Forecast>& forecasts, std::int64_t buckets) {
   const auto count = static_cast<std::int64_t>(forecasts.size());
   if (count <= 4 * buckets) return forecasts;
   const std::int64_t span = (count + buckets - 1) / buckets;
-  std::vector<lab::Outlook> kept;
+  std::vector<lab::Forecast> kept;
   for (std::int64_t begin = 0; begin < count; begin += span)
     kept.push_back(forecasts[static_cast<std::size_t>(std::min(count, begin + span) - 1)]);
   return kept;

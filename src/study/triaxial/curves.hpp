@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lab/results/outlook.hpp"
+#include "lab/results/forecast.hpp"
 #include "lab/results/second_order_work_point.hpp"
 #include "lab/results/state.hpp"
 #include "src/study/triaxial/line_breaks.hpp"
@@ -14,7 +14,7 @@ namespace triax::study {
 struct Curves {
   std::vector<lab::State> states;               ///< in order
   std::vector<lab::SecondOrderWorkPoint> work;  ///< in order
-  std::vector<lab::Outlook> forecasts;          ///< in order
+  std::vector<lab::Forecast> forecasts;         ///< in order
   LineBreaks breaks{};  ///< where lines through the states are no solid ones
 };
 
@@ -48,6 +48,6 @@ class CurveThinner {
 std::vector<lab::SecondOrderWorkPoint> thin(const std::vector<lab::SecondOrderWorkPoint>& points,
                                             std::int64_t buckets);
 /// The same for forecasts, the last of each bucket.
-std::vector<lab::Outlook> thin(const std::vector<lab::Outlook>& forecasts, std::int64_t buckets);
+std::vector<lab::Forecast> thin(const std::vector<lab::Forecast>& forecasts, std::int64_t buckets);
 
 }  // namespace triax::study

@@ -29,7 +29,7 @@ class RowsOfStage {
  public:
   RowsOfStage(std::int64_t begin, std::int64_t end) : begin_(begin), end_(end) {}
 
-  bool shows(const lab::Outlook& o, bool is_last) {
+  bool shows(const lab::Forecast& o, bool is_last) {
     const auto tenth = 10 * (o.reading - begin_) / std::max<std::int64_t>(end_ - begin_, 1);
     const bool moved = o.eta < low_ || o.eta > high_;
     if (tenth <= tenth_ && !is_last && !(moved && moves_ < kMoves)) return false;
@@ -46,15 +46,15 @@ class RowsOfStage {
   double high_ = std::numeric_limits<double>::infinity();
 };
 
-LiveRow forecast_row(const lab::Outlook& o) {
+LiveRow forecast_row(const lab::Forecast& o) {
   return {
       .said = lab::Moment{o.reading, o.time_s}, .stage = {}, .eta = {}, .event = {}, .forecast = o};
 }
 
-void add_forecasts(const std::vector<lab::Outlook>& all, StageSpan span,
+void add_forecasts(const std::vector<lab::Forecast>& all, StageSpan span,
                    const std::optional<lab::Instant>& onset, LiveAccount& account) {
   const auto from = [&](std::int64_t reading) {
-    return std::ranges::lower_bound(all, reading, {}, &lab::Outlook::reading);
+    return std::ranges::lower_bound(all, reading, {}, &lab::Forecast::reading);
   };
   const auto first = from(span.begin), behind = from(span.end);
   if (first == behind) return;
@@ -69,7 +69,7 @@ void add_forecasts(const std::vector<lab::Outlook>& all, StageSpan span,
 }
 
 /// Every event; what was forecast at that very reading stands in its row and in no other.
-void add_events(const std::vector<lab::Event>& events, const std::vector<lab::Outlook>& all,
+void add_events(const std::vector<lab::Event>& events, const std::vector<lab::Forecast>& all,
                 LiveAccount& account) {
   for (const lab::Event& event : events) {
     LiveRow row{.said = event.noticed, .stage = {}, .eta = {}, .event = event, .forecast = {}};
@@ -77,7 +77,7 @@ void add_events(const std::vector<lab::Event>& events, const std::vector<lab::Ou
                           event.kind == lab::EventKind::imminent ||
                           event.kind == lab::EventKind::warning_withdrawn;
     if (row.said && of_alarm) {
-      const auto o = std::ranges::lower_bound(all, row.said->reading, {}, &lab::Outlook::reading);
+      const auto o = std::ranges::lower_bound(all, row.said->reading, {}, &lab::Forecast::reading);
       if (o != all.end() && o->reading == row.said->reading) row.forecast = *o;
       account.shown -= std::erase_if(account.rows, [&](const LiveRow& other) {
         return !other.event && other.said->reading == row.said->reading;
@@ -94,7 +94,7 @@ void put_in_order(std::vector<LiveRow>& rows) {
   std::ranges::stable_sort(rows, {}, when);
 }
 
-std::optional<LiveLead> lead_of(const std::optional<lab::Outlook>& said,
+std::optional<LiveLead> lead_of(const std::optional<lab::Forecast>& said,
                                 const std::optional<lab::Instant>& onset) {
   if (!said || !onset) return std::nullopt;
   LiveLead lead{*said, onset->reading - said->reading, {}};

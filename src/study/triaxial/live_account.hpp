@@ -16,12 +16,12 @@ struct LiveRow {
   std::optional<int> stage;         ///< then
   std::optional<double> eta;        ///< q/p′ then
   std::optional<lab::Event> event;
-  std::optional<lab::Outlook> forecast;  ///< what was forecast then
+  std::optional<lab::Forecast> forecast;  ///< what was forecast then
 };
 
 /// A level that was said and not taken back, held against the onset that came.
 struct LiveLead {
-  lab::Outlook outlook;
+  lab::Forecast outlook;
   std::int64_t readings = 0;     ///< before the onset; negative: after it
   std::optional<double> time_s;  ///< likewise
 };

@@ -118,7 +118,7 @@ std::vector<std::vector<ForecastPoint>> runs_of(const Curves& curves, const Alon
   const std::int64_t most = 4 + 2 * usual;
   std::vector<std::vector<ForecastPoint>> runs;
   std::int64_t before = -1;
-  for (const lab::Outlook& o : all) {
+  for (const lab::Forecast& o : all) {
     const auto at = axis.place(along.at(o.reading, o.time_s));
     if (!at) continue;
     if (before < 0 || works_between(curves, before, o.reading) > most) runs.emplace_back();

@@ -61,7 +61,7 @@ std::string noticed_line(const db::StoredTest& test) {
 /// What the alarm said first and did not take back.
 std::vector<std::string> warning_lines(const lab::Collapse& collapse) {
   std::vector<std::string> lines;
-  const auto add = [&](const char* level, const std::optional<lab::Outlook>& outlook) {
+  const auto add = [&](const char* level, const std::optional<lab::Forecast>& outlook) {
     if (!outlook) return;
     std::string line = fmt::format("{} at reading {}", level, outlook->reading);
     if (outlook->time_s) line += ", " + duration(outlook->time_s);

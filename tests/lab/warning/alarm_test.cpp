@@ -14,9 +14,9 @@ namespace {
 
 struct Said {
   std::vector<Event> events;
-  std::vector<Outlook> outlooks;
+  std::vector<Forecast> outlooks;
   AlarmListener listener() {
-    return {.foreseen = [this](const Outlook& o) { outlooks.push_back(o); },
+    return {.foreseen = [this](const Forecast& o) { outlooks.push_back(o); },
             .happened = [this](const Event& e) { events.push_back(e); }};
   }
   const Event* first(EventKind kind) const {
@@ -46,7 +46,7 @@ TEST_CASE("under a load the alarm comes before the fall and says what is left of
   CHECK(soon->reading < kReadingsUnderLoad - 10);  // a second each
   CHECK(alarm.level() == WarningLevel::imminent);
   REQUIRE(alarm.imminent());
-  const Outlook& o = *alarm.imminent();
+  const Forecast& o = *alarm.imminent();
   CHECK(o.reading == soon->reading);
   CHECK(o.eta == Approx(0.6).margin(0.03));
   CHECK(o.eta_low < 0.6);
@@ -92,7 +92,7 @@ TEST_CASE(
   CHECK(said.outlooks.size() > 50);
   std::int64_t last = -1;
   int of_levels = 0;
-  for (const Outlook& o : said.outlooks) {
+  for (const Forecast& o : said.outlooks) {
     CHECK(o.reading > last);
     last = o.reading;
     for (const EventKind level : {EventKind::approaching, EventKind::imminent})

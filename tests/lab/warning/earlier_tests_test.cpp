@@ -29,7 +29,7 @@ TestSummary collapse_at(double eta, std::optional<double> b_value = {}) {
   return summary;
 }
 
-Outlook forecast(std::int64_t reading, double eta, double left) {
+Forecast forecast(std::int64_t reading, double eta, double left) {
   return {.reading = reading,
           .eta = eta,
           .eta_low = eta - 0.01645,
@@ -62,7 +62,7 @@ TEST_CASE("a simulation knows its onset, also where it was not judged") {
   header.name = "by the law";
   TestSummary summary = collapse_at(0.62, 0.8);
   summary.truth = Truth{.lost_sustainability = true, .q_pa = -58e3, .p_eff_pa = 1e5};
-  const std::vector<Outlook> forecasts{forecast(10, 0.7, 0.1)};
+  const std::vector<Forecast> forecasts{forecast(10, 0.7, 0.1)};
   auto said = earlier_test(header, summary, forecasts);
   REQUIRE(said);
   CHECK(said->name == "by the law (simulated)");
@@ -188,9 +188,9 @@ TEST_CASE("where the pore fluid gave way the onset is the forecast that the path
   const RecordHeader header = shear_header(AxialControl::load);
   // Passed once in the noise of the beginning, then ahead, and reached at reading 80; what was said
   // after the verdict's onset does not count.
-  const std::vector<Outlook> forecasts = {forecast(10, 0.1, 0),    forecast(40, 0.7, 5e3),
-                                          forecast(70, 0.66, 1e3), forecast(80, 0.65, 0),
-                                          forecast(90, 0.655, 0),  forecast(110, 0.9, 1e3)};
+  const std::vector<Forecast> forecasts = {forecast(10, 0.1, 0),    forecast(40, 0.7, 5e3),
+                                           forecast(70, 0.66, 1e3), forecast(80, 0.65, 0),
+                                           forecast(90, 0.655, 0),  forecast(110, 0.9, 1e3)};
   CHECK(*earlier_test(header, collapse_at(0.70, 0.8), forecasts)->onset == Approx(0.65));
   CHECK(earlier_test(header, collapse_at(0.70, 0.8), forecasts)->onset_error == Approx(0.01));
   CHECK(earlier_test(header, collapse_at(0.70, 0.8), forecasts)->give == Approx(0.25));

@@ -12,7 +12,7 @@ using Catch::Contains;
 
 namespace {
 
-lab::Outlook outlook(lab::Quantity quantity, double left) {
+lab::Forecast outlook(lab::Quantity quantity, double left) {
   return {.reading = 1234567,
           .time_s = 9000.0,
           .eta = 0.594,
@@ -34,7 +34,7 @@ study::LiveAccount account() {
   study::LiveAccount a;
   a.forecasts = 64;
   const lab::Moment at{1234567, 9000.0};
-  const auto with = [&](lab::EventKind kind, std::optional<lab::Outlook> f) {
+  const auto with = [&](lab::EventKind kind, std::optional<lab::Forecast> f) {
     return study::LiveRow{at, 12, -0.516, lab::Event{1234567, 9000.0, kind, "why", at}, f};
   };
   a.rows = {with(stage_started, {}),

@@ -12,7 +12,7 @@ using namespace triax;
 
 namespace {
 
-lab::Outlook outlook_with_time_left(std::int64_t reading, double eta) {
+lab::Forecast outlook_with_time_left(std::int64_t reading, double eta) {
   return {.reading = reading,
           .time_s = static_cast<double>(reading),
           .eta = eta,
@@ -24,7 +24,7 @@ lab::Outlook outlook_with_time_left(std::int64_t reading, double eta) {
 /// A test of 1000 readings whose stage begins with the first.
 class ToldTest {
  public:
-  std::vector<lab::Outlook> forecasts;
+  std::vector<lab::Forecast> forecasts;
   std::vector<lab::Event> events = {{.reading = 0,
                                      .kind = lab::EventKind::stage_started,
                                      .detail = "stage 1",

@@ -11,7 +11,7 @@ using namespace triax::study;
 
 namespace {
 
-lab::Outlook outlook_of_history(std::int64_t reading, double eta) {
+lab::Forecast outlook_of_history(std::int64_t reading, double eta) {
   return {reading, 0.1 * static_cast<double>(reading), eta, eta - 0.1, eta + 0.1, {}};
 }
 

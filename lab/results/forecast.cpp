@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/results/outlook.hpp"
+#include "lab/results/forecast.hpp"
 
 #include <array>
 

@@ -38,7 +38,7 @@ struct CyclicForecast {
 };
 
 /// A forecast, and when it was made. With `cyclic` it has no η.
-struct Outlook {
+struct Forecast {
   std::int64_t reading = 0;  ///< the last that had been taken
   std::optional<double> time_s;
   double eta = 0;                        ///< at the onset, negative in extension, NaN with `cyclic`
