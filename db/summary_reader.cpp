@@ -96,7 +96,7 @@ std::optional<lab::LeftToOnset> read_left(Columns& c) {
   return std::nullopt;
 }
 
-lab::Forecast read_outlook(Columns& c) {
+lab::Forecast read_forecast(Columns& c) {
   lab::Forecast o;
   o.reading = c.integer().value_or(0);
   o.time_s = c.number();
@@ -107,7 +107,7 @@ lab::Forecast read_outlook(Columns& c) {
   return o;
 }
 
-void read_outlooks(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
+void read_warnings(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
   for_rows(
       database, id,
       "SELECT level, failure_probability, load_cycles, reading, time_s, eta_forecast, eta_low, "
@@ -117,7 +117,7 @@ void read_outlooks(SQLite::Database& database, std::int64_t id, lab::Collapse& c
         auto& forecast = imminent ? collapse.imminent : collapse.approaching;
         const auto probability = c.number();
         const auto load_cycles = c.number();
-        forecast = read_outlook(c);
+        forecast = read_forecast(c);
         if (probability && load_cycles) forecast->cyclic = {*probability, *load_cycles};
       });
 }
@@ -256,7 +256,7 @@ void read_summary(SQLite::Database& database, std::int64_t id, lab::TestSummary&
   summary.peak = read_instant(database, id, "peak");
   read_undrained_strength(database, id, summary.undrained_strength);
   read_collapse(database, id, summary.collapse);
-  read_outlooks(database, id, summary.collapse);
+  read_warnings(database, id, summary.collapse);
   read_cyclic(database, id, summary.cyclic);
   read_guard(database, id, summary.guard);
   read_truth(database, id, summary.truth);
@@ -268,7 +268,7 @@ std::vector<lab::Forecast> read_forecasts(SQLite::Database& database, std::int64
            "SELECT id & 4294967295, time_s, eta_forecast, eta_low, eta_high, left_quantity, "
            "left_value, left_time_s FROM forecast_points "
            "WHERE id BETWEEN ?1 << 32 AND ?1 << 32 | 4294967295 ORDER BY id",
-           [&](Columns& c) { forecasts.push_back(read_outlook(c)); });
+           [&](Columns& c) { forecasts.push_back(read_forecast(c)); });
   return forecasts;
 }
 

@@ -136,24 +136,24 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
 }
 
 /// All but its reading.
-void bind_outlook(Binder& row, const lab::Forecast& outlook) {
-  const auto& left = outlook.left;
-  row.number(outlook.time_s)
-      .number(outlook.eta)
-      .number(outlook.eta_low)
-      .number(outlook.eta_high)
+void bind_forecast(Binder& row, const lab::Forecast& forecast) {
+  const auto& left = forecast.left;
+  row.number(forecast.time_s)
+      .number(forecast.eta)
+      .number(forecast.eta_low)
+      .number(forecast.eta_high)
       .text_or_null(left ? heading(left->quantity) : std::string())
       .number(left ? std::optional(in_field_units(*left)) : std::nullopt)
       .number(left ? left->time_s : std::nullopt);
 }
 
-void insert_outlook(SQLite::Database& database, std::int64_t id, lab::WarningLevel level,
+void insert_warning(SQLite::Database& database, std::int64_t id, lab::WarningLevel level,
                     const std::optional<lab::Forecast>& forecast) {
   if (!forecast) return;
   Statement insert(database, "INSERT INTO outlooks VALUES (?,?,?,?,?,?,?,?,?,?,?,?)");
   Binder row(insert);
   row.integer(id).text(to_string(level)).integer(forecast->reading);
-  bind_outlook(row, *forecast);
+  bind_forecast(row, *forecast);
   const auto& cyclic = forecast->cyclic;
   row.number(cyclic ? std::optional(cyclic->probability) : std::nullopt)
       .number(cyclic ? std::optional(cyclic->load_cycles) : std::nullopt)
@@ -245,7 +245,7 @@ void insert_forecasts(SQLite::Database& database, std::int64_t test_id,
   for (const lab::Forecast& forecast : forecasts) {
     Binder row(insert);
     row.integer(test_id << 32 | forecast.reading);
-    bind_outlook(row, forecast);
+    bind_forecast(row, forecast);
     row.run();
   }
 }
@@ -256,8 +256,8 @@ void insert_summary(SQLite::Database& database, std::int64_t test_id,
   insert_instant(database, test_id, "peak", summary.peak);
   insert_undrained_strength(database, test_id, summary.undrained_strength);
   insert_verdict(database, test_id, summary.collapse);
-  insert_outlook(database, test_id, lab::WarningLevel::approaching, summary.collapse.approaching);
-  insert_outlook(database, test_id, lab::WarningLevel::imminent, summary.collapse.imminent);
+  insert_warning(database, test_id, lab::WarningLevel::approaching, summary.collapse.approaching);
+  insert_warning(database, test_id, lab::WarningLevel::imminent, summary.collapse.imminent);
   insert_cyclic(database, test_id, summary.cyclic);
   insert_guard(database, test_id, summary.guard);
   insert_truth(database, test_id, summary.truth);

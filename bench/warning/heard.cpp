@@ -43,8 +43,8 @@ lab::SessionListener Heard::listener() {
     ++points_;
     if (level() != lab::WarningLevel::none) ++wrong_points_;
   };
-  listener.foreseen = [this](const lab::Forecast& outlook) {
-    forecasts_.push_back({now_s_, *stage_, eta_, outlook});
+  listener.foreseen = [this](const lab::Forecast& forecast) {
+    forecasts_.push_back({now_s_, *stage_, eta_, forecast});
   };
   listener.happened = [this](const lab::Event& event) {
     if (const auto level = level_of(event.kind)) levels_.push_back({now_s_, *level});
@@ -88,7 +88,7 @@ void Heard::judge_collapse(const lab::Truth& truth, AlarmTrial& r) const {
       if (one.known_s <= then && one.stage == begin.stage) stands = &one;
     r.looks[i].reset();
     if (!stands) continue;
-    const lab::Forecast& o = stands->outlook;
+    const lab::Forecast& o = stands->forecast;
     r.looks[i] = Look{.error = o.eta - r.eta,
                       .covered = o.eta_low <= r.eta && r.eta <= o.eta_high,
                       .now = stands->eta_now};

@@ -35,7 +35,7 @@ class Heard {
     double known_s;
     int stage;
     double eta_now;
-    lab::Forecast outlook;
+    lab::Forecast forecast;
   };
   lab::WarningLevel level() const {
     return levels_.empty() ? lab::WarningLevel::none : levels_.back().level;

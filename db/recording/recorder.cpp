@@ -286,7 +286,7 @@ lab::SessionListener Recorder::listener() {
       .second_order_work =
           [impl](const lab::SecondOrderWorkPoint& point) { impl->add(&Batch::work, point); },
       .happened = [impl](const lab::Event& event) { impl->add(&Batch::events, event); },
-      .foreseen = [impl](const lab::Forecast& outlook) { impl->add(&Batch::forecasts, outlook); },
+      .foreseen = [impl](const lab::Forecast& forecast) { impl->add(&Batch::forecasts, forecast); },
       .progressed = {}};
 }
 

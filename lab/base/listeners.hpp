@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A listener is a plain struct of std::functions, any of which may be empty. A list of them is
-// called in its order, in the thread that calls notify(). What a listener throws passes through.
+// A listener is a plain struct of std::functions, any of which may be empty. notify() calls the
+// functions of a list in its order, in its own thread. It does not catch what they throw.
 #include <algorithm>
 #include <functional>
 #include <vector>

@@ -138,10 +138,10 @@ class SessionRun {
         break;
       }
     }
-    tell_of_the_rig();
+    report_rig_events();
     ended_ = true;
     states_.finish();
-    tell_of_sensors();
+    report_sensors();
     pass_on();
     summarise();
     notify(listeners_, &SessionListener::progressed, 1.0);
@@ -152,16 +152,16 @@ class SessionRun {
   CollapseListener monitor_listener();
   AlarmListener alarm_listener();
   void take(const Reading& reading);
-  void tell_of(Event event) {
+  void report_event(Event event) {
     if (!ended_) event.noticed = last_reading_;
     notify(listeners_, &SessionListener::happened, event);
   }
-  void tell_of_the_rig() {
-    for (const Event& event : back_end_.events()) tell_of(event);
+  void report_rig_events() {
+    for (const Event& event : back_end_.events()) report_event(event);
   }
   void pass_on();
-  void tell_of_impossible(const JudgedStates::Judged& judged);
-  void tell_of_sensors();
+  void report_impossible(const JudgedStates::Judged& judged);
+  void report_sensors();
   void watch_fall(const State& state);
   void heed(const State& state);
   void ask_guard(const State& state);
@@ -211,29 +211,29 @@ CollapseListener SessionRun::monitor_listener() {
           .happened =
               [this](const Event& e) {
                 if (e.kind == EventKind::loss_of_sustainability) alarm_.lose();
-                tell_of(e);
+                report_event(e);
               }};
 }
 
 AlarmListener SessionRun::alarm_listener() {
   return {
       .foreseen = [this](const Forecast& o) { notify(listeners_, &SessionListener::foreseen, o); },
-      .happened = [this](const Event& e) { tell_of(e); }};
+      .happened = [this](const Event& e) { report_event(e); }};
 }
 
 void SessionRun::take(const Reading& reading) {
   if (latest_) ask_guard(*latest_);  // before its stage began
   last_reading_ = Moment{reading.number, {}};
   if (back_end_.header().has_time) last_reading_->time_s = reading.time_s;
-  if (stage_ != reading.stage) tell_of(stage_event(back_end_.header(), reading));
+  if (stage_ != reading.stage) report_event(stage_event(back_end_.header(), reading));
   if (stage_ != reading.stage && reading.line > 0)
     summary_.ending.stage_lines.emplace_back(reading.number, reading.line);
   stage_ = reading.stage;
-  tell_of_the_rig();
+  report_rig_events();
   const State state = reduction_.reduce(reading);
   notify(listeners_, &SessionListener::scanned, reading, state);
   states_.add(reading, state);
-  tell_of_sensors();
+  report_sensors();
   if (!total_stress_ && states_.is_possible(state)) {
     alarm_.watch(state);
     watch_fall(state);
@@ -244,9 +244,9 @@ void SessionRun::take(const Reading& reading) {
 }
 
 /// What came to light about sensors with the last reading, or with the end of the record.
-void SessionRun::tell_of_sensors() {
+void SessionRun::report_sensors() {
   for (const SensorFinding& finding : states_.health().news()) {
-    tell_of(sensor_event(finding));
+    report_event(sensor_event(finding));
     notify(listeners_, &SessionListener::doubted, finding);
     alarm_.interrupt(describe(finding));
     if (finding.channel == Quantity::axial_displacement || finding.channel == Quantity::axial_force)
@@ -264,7 +264,7 @@ void SessionRun::watch_fall(const State& state) {
                     .detail = fall->evidence,
                     .noticed = last_reading_};
   if (!lost_) lost_ = event;
-  tell_of(event);
+  report_event(event);
 }
 
 /// What the alarm says is told to the rig at once: the guard of its programme may act on it.
@@ -286,10 +286,10 @@ void SessionRun::ask_guard(const State& state) {
   guard.done = *done;
   guard.at = instant_of(state, back_end_.header().has_time);
   guard.second_order_work_normalised = work_;
-  tell_of({.reading = guard.at.reading,
-           .time_s = guard.at.time_s,
-           .kind = EventKind::guarded,
-           .detail = describe(guard)});
+  report_event({.reading = guard.at.reading,
+                .time_s = guard.at.time_s,
+                .kind = EventKind::guarded,
+                .detail = describe(guard)});
 }
 
 /// A collapse that came with the fall was known with it, whatever it took to judge it.
@@ -307,14 +307,14 @@ void SessionRun::know_the_fall(Collapse& collapse) const {
 }
 
 /// Tells of the first of impossible states in a row.
-void SessionRun::tell_of_impossible(const JudgedStates::Judged& judged) {
+void SessionRun::report_impossible(const JudgedStates::Judged& judged) {
   if (std::exchange(impossible_, judged.impossible) || !judged.impossible) return;
   Event event{.reading = judged.reading.number,
               .time_s = {},
               .kind = EventKind::sensor_fault,
               .detail = "impossible state: " + judged.reason};
   if (back_end_.header().has_time) event.time_s = judged.reading.time_s;
-  tell_of(event);
+  report_event(event);
 }
 
 /// To the monitor goes what has been judged by now.
@@ -327,7 +327,7 @@ void SessionRun::pass_on() {
       if (in_shear && (judged->live || judged->axis_live)) undrained_strength_.add(judged->state);
       continue;
     }
-    tell_of_impossible(*judged);
+    report_impossible(*judged);
     if (judged->axis_live) monitor_.watch_axis(axis_of(*judged));
     if (!judged->live) continue;
     if (judged->after_gap) {

@@ -46,19 +46,19 @@ std::string describe(const GuardOutcome& g) {
   return told;
 }
 
-Event level_event(WarningLevel level, const Forecast& outlook) {
-  return {.reading = outlook.reading,
-          .time_s = outlook.time_s,
+Event level_event(WarningLevel level, const Forecast& forecast) {
+  return {.reading = forecast.reading,
+          .time_s = forecast.time_s,
           .kind = level == WarningLevel::imminent ? EventKind::imminent : EventKind::approaching,
-          .detail = describe(outlook)};
+          .detail = describe(forecast)};
 }
 
-Event withdrawal_event(const State& now, bool has_time, const std::optional<Forecast>& outlook,
+Event withdrawal_event(const State& now, bool has_time, const std::optional<Forecast>& forecast,
                        const std::string& reason) {
   Event event{
       .reading = now.reading, .time_s = {}, .kind = EventKind::warning_withdrawn, .detail = reason};
   if (has_time) event.time_s = now.time_s;
-  if (reason.empty()) event.detail = outlook ? describe(*outlook) : "no onset is forecast";
+  if (reason.empty()) event.detail = forecast ? describe(*forecast) : "no onset is forecast";
   event.detail = "warning withdrawn: " + event.detail;
   return event;
 }

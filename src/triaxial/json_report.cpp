@@ -192,8 +192,8 @@ Json collapse_json(const db::StoredTest& test) {
   put_instant(object, collapse.onset);
   put_interval(object, collapse.onset);
   object["noticed"] = study::moment_json(collapse.noticed);
-  object["warning"] = {{"approaching", study::outlook_json(collapse.approaching)},
-                       {"imminent", study::outlook_json(collapse.imminent)}};
+  object["warning"] = {{"approaching", study::forecast_json(collapse.approaching)},
+                       {"imminent", study::forecast_json(collapse.imminent)}};
   object["reading_itself"] = reading_itself_json(test);
   object["second_order_work_normalised"] =
       study::json_number(collapse.second_order_work_normalised);

@@ -17,7 +17,7 @@ Json row_json(const study::LiveRow& row) {
           {"stage", row.stage ? Json(*row.stage) : Json(nullptr)},
           {"eta", study::json_number(row.eta)},
           {"event", row.event ? study::event_json(*row.event) : Json(nullptr)},
-          {"forecast", study::outlook_json(row.forecast)}};
+          {"forecast", study::forecast_json(row.forecast)}};
 }
 
 Json lead_json(const std::optional<study::LiveLead>& lead) {

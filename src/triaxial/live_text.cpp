@@ -93,7 +93,7 @@ std::string before_onset(std::int64_t readings, const std::optional<double>& tim
 }
 
 std::string lead_line(const study::LiveLead& lead, const lab::Instant& onset) {
-  const lab::Forecast& o = lead.outlook;
+  const lab::Forecast& o = lead.forecast;
   if (o.cyclic)
     return fmt::format("{}; {}", before_onset(lead.readings, lead.time_s), lab::describe(o));
   std::string line =

@@ -53,7 +53,7 @@ void LiveFeed::scanned(const lab::Reading& reading, const lab::State& state) {
 }
 
 void LiveFeed::happened(const lab::Event& event) { add(event); }
-void LiveFeed::foreseen(const lab::Forecast& outlook) { add(outlook); }
+void LiveFeed::foreseen(const lab::Forecast& forecast) { add(forecast); }
 void LiveFeed::doubted(const lab::SensorFinding& finding) { add(finding); }
 void LiveFeed::stage_began(const lab::StageInfo& stage) { add(stage); }
 

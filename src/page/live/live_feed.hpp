@@ -73,7 +73,7 @@ class LiveFeed {
   // By who records, one thread at a time.
   void scanned(const lab::Reading& reading, const lab::State& state);
   void happened(const lab::Event& event);
-  void foreseen(const lab::Forecast& outlook);
+  void foreseen(const lab::Forecast& forecast);
   void doubted(const lab::SensorFinding& finding);
   void stage_began(const lab::StageInfo& stage);
   void progressed(double share);

@@ -12,12 +12,12 @@ namespace {
 
 using study::Json;
 
-struct Told {
-  const char* event;
+struct StreamEvent {
+  const char* name;
   std::string data;
 };
 
-Told told(const LiveReading& reading) {
+StreamEvent event_of(const LiveReading& reading) {
   std::string json = "{\"reading\":" + std::to_string(reading.reading.number);
   std::vector<double> row;
   db::fill_row(reading.reading, reading.state, row);
@@ -32,12 +32,14 @@ Told told(const LiveReading& reading) {
                                  1e-3 * static_cast<double>(told_us.count()))};
 }
 
-Told told(const lab::Event& event) { return {"event", study::json_line(study::event_json(event))}; }
-Told told(const lab::Forecast& outlook) {
-  return {"forecast", study::json_line(study::outlook_json(outlook))};
+StreamEvent event_of(const lab::Event& event) {
+  return {"event", study::json_line(study::event_json(event))};
+}
+StreamEvent event_of(const lab::Forecast& forecast) {
+  return {"forecast", study::json_line(study::forecast_json(forecast))};
 }
 
-Told told(const lab::SensorFinding& finding) {
+StreamEvent event_of(const lab::SensorFinding& finding) {
   return {"channels", study::json_line({{"channel", lab::heading(finding.channel)},
                                         {"state", to_string(finding.fault)},
                                         {"from", finding.from},
@@ -45,11 +47,11 @@ Told told(const lab::SensorFinding& finding) {
                                         {"detail", describe(finding)}})};
 }
 
-Told told(const lab::StageInfo& stage) {
+StreamEvent event_of(const lab::StageInfo& stage) {
   return {"stage", study::json_line(study::stage_json(stage))};
 }
 
-Told told(const LiveEnd& end) {
+StreamEvent event_of(const LiveEnd& end) {
   return {"end",
           study::json_line({{"status", end.status}, {"error", study::json_text(end.error)}})};
 }
@@ -62,9 +64,9 @@ std::string live_frames(const LiveTaken& taken) {
     frames += fmt::format("event: window\ndata: {{\"from\":{},\"to\":{}}}\n\n", taken.missed->first,
                           taken.missed->second);
   for (const LiveItem& item : taken.items) {
-    const Told one = std::visit([](const auto& what) { return told(what); }, item.what);
+    const StreamEvent one = std::visit([](const auto& what) { return event_of(what); }, item.what);
     frames +=
-        fmt::format("id: {}\nevent: {}\ndata: {}\n\n", to_string(item.at), one.event, one.data);
+        fmt::format("id: {}\nevent: {}\ndata: {}\n\n", to_string(item.at), one.name, one.data);
   }
   if (taken.share)
     frames += fmt::format("event: progress\ndata: {{\"share\":{:.4f}}}\n\n", *taken.share);

@@ -101,7 +101,7 @@ lab::SessionListener LiveRun::listener() {
       .second_order_work = {},
       .happened = [feed](const lab::Event& event) { feed->happened(event); },
       .doubted = [feed](const lab::SensorFinding& finding) { feed->doubted(finding); },
-      .foreseen = [feed](const lab::Forecast& outlook) { feed->foreseen(outlook); },
+      .foreseen = [feed](const lab::Forecast& forecast) { feed->foreseen(forecast); },
       .progressed = [feed](double share) { feed->progressed(share); }};
 }
 

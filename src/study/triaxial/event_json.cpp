@@ -10,7 +10,7 @@ Json moment_json(const std::optional<lab::Moment>& moment) {
   return {{"reading", moment->reading}, {"time_s", json_number(moment->time_s)}};
 }
 
-Json outlook_json(const std::optional<lab::Forecast>& forecast) {
+Json forecast_json(const std::optional<lab::Forecast>& forecast) {
   if (!forecast) return nullptr;
   Json left = nullptr;
   if (forecast->left)

@@ -13,7 +13,7 @@ namespace triax::study {
 Json moment_json(const std::optional<lab::Moment>& moment);
 /// η at the onset with its 90 % interval and what is left until then, or the probability of failure
 /// within one load cycle. Null without a forecast.
-Json outlook_json(const std::optional<lab::Forecast>& forecast);
+Json forecast_json(const std::optional<lab::Forecast>& forecast);
 /// Of which reading it speaks, and at which it was known.
 Json event_json(const lab::Event& event);
 Json stage_json(const lab::StageInfo& stage);

@@ -21,7 +21,7 @@ struct LiveRow {
 
 /// A level that was said and not taken back, held against the onset that came.
 struct LiveLead {
-  lab::Forecast outlook;
+  lab::Forecast forecast;
   std::int64_t readings = 0;     ///< before the onset; negative: after it
   std::optional<double> time_s;  ///< likewise
 };

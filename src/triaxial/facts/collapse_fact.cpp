@@ -61,11 +61,11 @@ std::string noticed_line(const db::StoredTest& test) {
 /// What the alarm said first and did not take back.
 std::vector<std::string> warning_lines(const lab::Collapse& collapse) {
   std::vector<std::string> lines;
-  const auto add = [&](const char* level, const std::optional<lab::Forecast>& outlook) {
-    if (!outlook) return;
-    std::string line = fmt::format("{} at reading {}", level, outlook->reading);
-    if (outlook->time_s) line += ", " + duration(outlook->time_s);
-    lines.push_back(line + ": " + lab::describe(*outlook));
+  const auto add = [&](const char* level, const std::optional<lab::Forecast>& forecast) {
+    if (!forecast) return;
+    std::string line = fmt::format("{} at reading {}", level, forecast->reading);
+    if (forecast->time_s) line += ", " + duration(forecast->time_s);
+    lines.push_back(line + ": " + lab::describe(*forecast));
   };
   add("approaching", collapse.approaching);
   add("imminent", collapse.imminent);

@@ -12,7 +12,7 @@ using Catch::Contains;
 
 namespace {
 
-lab::Forecast outlook(lab::Quantity quantity, double left) {
+lab::Forecast forecast(lab::Quantity quantity, double left) {
   return {.reading = 1234567,
           .time_s = 9000.0,
           .eta = 0.594,
@@ -38,10 +38,10 @@ study::LiveAccount account() {
     return study::LiveRow{at, 12, -0.516, lab::Event{1234567, 9000.0, kind, "why", at}, f};
   };
   a.rows = {with(stage_started, {}),
-            {at, 12, 0.5, {}, outlook(lab::Quantity::deviator_stress, 1234567)},
-            with(approaching, outlook(lab::Quantity::mean_effective_stress, 1234567)),
-            with(imminent, outlook(lab::Quantity::axial_strain, 0.00059)),
-            with(imminent, outlook(lab::Quantity::axial_strain, 0)),
+            {at, 12, 0.5, {}, forecast(lab::Quantity::deviator_stress, 1234567)},
+            with(approaching, forecast(lab::Quantity::mean_effective_stress, 1234567)),
+            with(imminent, forecast(lab::Quantity::axial_strain, 0.00059)),
+            with(imminent, forecast(lab::Quantity::axial_strain, 0)),
             with(warning_withdrawn, {}),
             {lab::Moment{1234600, 9100.0},
              12,
@@ -62,7 +62,7 @@ TEST_CASE("what was said stands in lines of a hundred columns, with units and wo
   study::LiveAccount a = account();
   a.onset = test.summary.collapse.onset;
   test.summary.collapse.noticed = lab::Moment{330, 33.0};
-  test.summary.collapse.imminent = outlook(lab::Quantity::axial_strain, 0.00059);
+  test.summary.collapse.imminent = forecast(lab::Quantity::axial_strain, 0.00059);
   a.imminent = study::LiveLead{*test.summary.collapse.imminent, 10, 1.0};
   const std::string text = src::live_text(test, a);
   INFO(text);
@@ -85,6 +85,6 @@ TEST_CASE("silence is told, and a level that stood for nothing") {
                                                 Contains("No onset was forecast") &&
                                                 Contains("no onset was found"));
   auto warned = test;
-  warned.summary.collapse.approaching = outlook(lab::Quantity::axial_strain, 0.00059);
+  warned.summary.collapse.approaching = forecast(lab::Quantity::axial_strain, 0.00059);
   CHECK_THAT(flat(src::live_text(warned, a)), Contains("not withdrawn; no onset was found"));
 }

@@ -12,7 +12,7 @@ using namespace triax;
 
 namespace {
 
-lab::Forecast outlook_with_time_left(std::int64_t reading, double eta) {
+lab::Forecast forecast_with_time_left(std::int64_t reading, double eta) {
   return {.reading = reading,
           .time_s = static_cast<double>(reading),
           .eta = eta,
@@ -67,7 +67,7 @@ std::vector<std::int64_t> forecasts_at(const study::LiveAccount& account) {
 
 TEST_CASE("of steady forecasts the first in every tenth up to the onset is told, and the last") {
   ToldTest test;
-  for (int i = 95; i < 1000; i += 5) test.forecasts.push_back(outlook_with_time_left(i, 0.6));
+  for (int i = 95; i < 1000; i += 5) test.forecasts.push_back(forecast_with_time_left(i, 0.6));
   test.collapse.kind = lab::CollapseKind::flow;
   test.collapse.onset = lab::Instant{.reading = 399, .time_s = 399.0};
   const auto account = test.account();
@@ -80,9 +80,9 @@ TEST_CASE("of steady forecasts the first in every tenth up to the onset is told,
 TEST_CASE("a forecast outside the interval of the one before is told; a wild one ends in a bound") {
   ToldTest test;
   for (int i = 5; i < 1000; ++i)
-    test.forecasts.push_back(outlook_with_time_left(i, i == 27             ? 0.8
-                                                       : i >= 500 && i % 2 ? 1.0
-                                                                           : 0.6));
+    test.forecasts.push_back(forecast_with_time_left(i, i == 27             ? 0.8
+                                                        : i >= 500 && i % 2 ? 1.0
+                                                                            : 0.6));
   const auto readings = forecasts_at(test.account());
   CHECK(std::ranges::count(readings, 27) == 1);
   CHECK(std::ranges::count(readings, 28) == 1);  // back again
@@ -92,7 +92,7 @@ TEST_CASE("a forecast outside the interval of the one before is told; a wild one
 
 TEST_CASE("events stand where they were known, levels with their forecast, the last without one") {
   ToldTest test;
-  for (int i = 100; i < 300; i += 10) test.forecasts.push_back(outlook_with_time_left(i, 0.6));
+  for (int i = 100; i < 300; i += 10) test.forecasts.push_back(forecast_with_time_left(i, 0.6));
   using enum lab::EventKind;
   test.events.push_back({100, 100.0, approaching, "near", lab::Moment{100, 100.0}});
   test.events.push_back({250, 250.0, limit_surface, "known at the end only", {}});
@@ -121,7 +121,7 @@ TEST_CASE("events stand where they were known, levels with their forecast, the l
 
 TEST_CASE("without an onset nothing lies before it") {
   ToldTest test;
-  test.forecasts.push_back(outlook_with_time_left(100, 0.6));
+  test.forecasts.push_back(forecast_with_time_left(100, 0.6));
   test.collapse.approaching = test.forecasts[0];
   const auto account = test.account();
   CHECK_FALSE(account.onset);

@@ -11,7 +11,7 @@ using namespace triax::study;
 
 namespace {
 
-lab::Forecast outlook_of_history(std::int64_t reading, double eta) {
+lab::Forecast forecast_of_history(std::int64_t reading, double eta) {
   return {reading, 0.1 * static_cast<double>(reading), eta, eta - 0.1, eta + 0.1, {}};
 }
 
@@ -19,7 +19,7 @@ lab::Forecast outlook_of_history(std::int64_t reading, double eta) {
 TestResult foretold() {
   auto test = src::test::flow_test();
   for (int i = 60; i <= 320; i += 2)
-    if (i <= 120 || i >= 200) test.curves.forecasts.push_back(outlook_of_history(i, 0.61));
+    if (i <= 120 || i >= 200) test.curves.forecasts.push_back(forecast_of_history(i, 0.61));
   using enum lab::EventKind;
   test.stored.events = {{0, 0, stage_started, "stage 1", lab::Moment{0, 0.0}},
                         {250, 25, imminent, "soon", lab::Moment{250, 25.0}},
