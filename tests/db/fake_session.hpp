@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a session would tell, told by the test itself.
+#include "db/recording/recorder.hpp"
 #include "lab/rig/session_listener.hpp"
 #include "tests/db/scans.hpp"
 
@@ -30,6 +31,14 @@ inline void send_scans(const lab::SessionListener& listener, std::int64_t first,
     const auto [reading, state] = raw_scan(random, number);
     listener.scanned(reading, state);
   }
+}
+
+/// Starts a test with raw_header(name) and ten scans. Returns the listener of the recorder.
+inline lab::SessionListener start_test(db::Recorder& recorder, const std::string& name = "a") {
+  const lab::SessionListener listener = recorder.listener();
+  listener.started(raw_header(name));
+  send_scans(listener, 0, 10);
+  return listener;
 }
 
 }  // namespace triax::testing

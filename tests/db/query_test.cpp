@@ -161,9 +161,7 @@ TEST_CASE(
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   db::Recorder recorder(path);
-  const lab::SessionListener listener = recorder.listener();
-  listener.started(testing::raw_header("a"));
-  testing::send_scans(listener, 0, 10);
+  const lab::SessionListener listener = testing::start_test(recorder);
   const lab::Forecast said{
       7,    0.7,  0.61,
       0.58, 0.64, lab::LeftToOnset{lab::Quantity::mean_effective_stress, 3.2e3, 12.5}};
@@ -193,9 +191,7 @@ TEST_CASE("alarms: a cyclic warning has a probability and no η", "[db][cyclic]"
   TemporaryFolder folder;
   const std::string path = folder.file("t.db");
   db::Recorder recorder(path);
-  const lab::SessionListener listener = recorder.listener();
-  listener.started(testing::raw_header("a"));
-  testing::send_scans(listener, 0, 10);
+  testing::start_test(recorder);
   lab::Forecast warned{.reading = 7, .time_s = 0.7};
   warned.eta = warned.eta_low = warned.eta_high = lab::kMissing;
   warned.cyclic = lab::CyclicForecast{0.75, 4.5};

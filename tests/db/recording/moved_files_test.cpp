@@ -43,9 +43,7 @@ struct Sentences {
 
 void store_small_test(const std::string& path, const std::string& name) {
   db::Recorder recorder(path);
-  const auto listener = recorder.listener();
-  listener.started(testing::raw_header(name));
-  testing::send_scans(listener, 0, 10);
+  testing::start_test(recorder, name);
   recorder.finish({});
 }
 

@@ -59,9 +59,7 @@ struct Said {
 std::string begun(const TemporaryFolder& folder) {
   const std::string path = folder.file("t.db");
   db::Recorder recorder(path);
-  const auto listener = recorder.listener();
-  listener.started(testing::raw_header("first"));
-  testing::send_scans(listener, 0, 10);
+  testing::start_test(recorder, "first");
   recorder.finish({});
   return path;
 }

@@ -31,9 +31,7 @@ std::string changed_database(const TemporaryFolder& folder, const std::string& s
   static int number = 0;
   const std::string path = folder.file("t" + std::to_string(++number) + ".db");
   db::Recorder recorder(path);
-  const auto listener = recorder.listener();
-  listener.started(testing::raw_header("a"));
-  testing::send_scans(listener, 0, 10);
+  testing::start_test(recorder);
   lab::TestSummary summary;
   summary.readings = 10;
   recorder.finish(summary);

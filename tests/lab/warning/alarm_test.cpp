@@ -14,9 +14,9 @@ namespace {
 
 struct Said {
   std::vector<Event> events;
-  std::vector<Forecast> outlooks;
+  std::vector<Forecast> forecasts;
   AlarmListener listener() {
-    return {.foreseen = [this](const Forecast& o) { outlooks.push_back(o); },
+    return {.foreseen = [this](const Forecast& o) { forecasts.push_back(o); },
             .happened = [this](const Event& e) { events.push_back(e); }};
   }
   const Event* first(EventKind kind) const {
@@ -89,10 +89,10 @@ TEST_CASE(
   CHECK(said.first(EventKind::imminent)->reading < 857);  // η of 0.6
   // The forecast is told at every point of second-order work, though it stands still, and where a
   // level is reached, never twice at one reading.
-  CHECK(said.outlooks.size() > 50);
+  CHECK(said.forecasts.size() > 50);
   std::int64_t last = -1;
   int of_levels = 0;
-  for (const Forecast& o : said.outlooks) {
+  for (const Forecast& o : said.forecasts) {
     CHECK(o.reading > last);
     last = o.reading;
     for (const EventKind level : {EventKind::approaching, EventKind::imminent})
