@@ -62,7 +62,7 @@ class Scores(unittest.TestCase):
             self.assertIn("missing: absent.csv", text)
             self.assertRegex(text, r"triax 2 of 2 1 of 1 largest q")
             self.assertRegex(text, r"triax (0\.[5-9]|1\.0)\d+ \d\.\d+ 1 of 1 [01] ")
-            self.assertIn("published network", text)
+            self.assertNotIn("published network", text)  # its figure is for other records
 
     def test_score_of_a_warning(self):
         test = {"onset": 400, "rows_per_cycle": 80}
