@@ -33,7 +33,7 @@ inline void send_scans(const lab::SessionListener& listener, std::int64_t first,
   }
 }
 
-/// Starts a test with raw_header(name) and ten scans. Returns the listener of the recorder.
+/// Starts a test with raw_header(name) and ten readings. Returns the listener of the recorder.
 inline lab::SessionListener start_test(db::Recorder& recorder, const std::string& name = "a") {
   const lab::SessionListener listener = recorder.listener();
   listener.started(raw_header(name));
