@@ -134,7 +134,7 @@ def main():
         score.add(test, levels(c, of_test))
         total.add(test, levels(c, of_test))
         print(f"{test['name']}  lead {score.leads[0]:5.2f} cycles  withdrawn {score.withdrawn}")
-    print("one test left out:", total.text())
+    print(f"  {total.text()}")
 
 
 if __name__ == "__main__":

@@ -104,10 +104,6 @@ class WarningScore:
         return 2 * self.hits / found if found else 0.0
 
     def text(self):
-        leads = sorted(self.leads)
-        return (
-            f"F1 {self.f1:.3f}, in force at the row of instability in {self.standing} of {self.tests}, "
-            f"withdrawn {self.withdrawn} (at most {self.most_withdrawn} in a test), "
-            f"{100 * self.early / self.rows:.2f} % of rows more than two cycles early, "
-            f"median lead {leads[len(leads) // 2]:.2f} cycles"
-        )
+        lead = sorted(self.leads)[len(self.leads) // 2]
+        return (f"F1 {self.f1:.3f}, lead {lead:.2f}, in force {self.standing} of {self.tests}, "
+                f"withdrawn {self.withdrawn} ({self.most_withdrawn}), early {100 * self.early / self.rows:.2f} %")
