@@ -20,14 +20,14 @@ std::string describe(const LeftToOnset& left) {
 
 }  // namespace
 
-std::string describe(const Forecast& o) {
-  if (o.cyclic)
+std::string describe(const Forecast& forecast) {
+  if (forecast.cyclic)
     return fmt::format(
         "the probability of failure within one load cycle is {:.0f} % after {:.1f} cycles",
-        o.cyclic->probability * 100, o.cyclic->load_cycles);
-  std::string told =
-      fmt::format("onset forecast at η {:.3f} ({:.3f} to {:.3f})", o.eta, o.eta_low, o.eta_high);
-  if (o.left) told += ", " + describe(*o.left);
+        forecast.cyclic->probability * 100, forecast.cyclic->load_cycles);
+  std::string told = fmt::format("onset forecast at η {:.3f} ({:.3f} to {:.3f})", forecast.eta,
+                                 forecast.eta_low, forecast.eta_high);
+  if (forecast.left) told += ", " + describe(*forecast.left);
   return told;
 }
 

@@ -79,9 +79,10 @@ void add_events(const std::vector<lab::Event>& events, const std::vector<lab::Fo
     if (row.said && of_alarm) {
       const auto o = std::ranges::lower_bound(all, row.said->reading, {}, &lab::Forecast::reading);
       if (o != all.end() && o->reading == row.said->reading) row.forecast = *o;
-      account.shown -= std::erase_if(account.rows, [&](const LiveRow& other) {
+      const auto removed = std::erase_if(account.rows, [&](const LiveRow& other) {
         return !other.event && other.said->reading == row.said->reading;
       });
+      account.shown -= static_cast<std::int64_t>(removed);
     }
     account.rows.push_back(std::move(row));
   }
