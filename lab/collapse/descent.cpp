@@ -8,9 +8,10 @@ namespace {
 
 /// The point where second-order work vanishes between `a`, where it is positive, and `b`. Between
 /// two neighbouring readings it is the one with the larger q: undrained, work vanishes at the peak
-/// of q, and a parabola through seven readings leans towards the flatter side of a sharp peak.
-PathPoint zero_crossing(const PathPoint& a, const PathPoint& b) {
-  if (a.shortest_window() && b.shortest_window() && b.reading - a.reading < 1.5) {
+/// of q, and a parabola through seven readings leans towards the flatter side of a sharp peak. Not
+/// so where the pore fluid is compressed (`closed`): work vanishes before q has its peak.
+PathPoint zero_crossing(const PathPoint& a, const PathPoint& b, bool closed) {
+  if (!closed && a.shortest_window() && b.shortest_window() && b.reading - a.reading < 1.5) {
     const PathPoint first = unsmoothed(a), second = unsmoothed(b);
     return first.strength() >= second.strength() ? first : second;
   }
@@ -120,7 +121,7 @@ void DescentTracker::keep_evidence(const PathPoint& point) {
 
 void DescentTracker::open(const PathPoint& point) {
   turn_positive_.clear();
-  const PathPoint onset = before_ ? zero_crossing(*before_, *after_) : *after_;
+  const PathPoint onset = before_ ? zero_crossing(*before_, *after_, conditions_.closed) : *after_;
   const bool continues = latest_ && !latest_->settled &&
                          onset.strength() < latest_->onset.strength() &&
                          latest_->strength_regained() < 0.5;
@@ -140,7 +141,8 @@ void DescentTracker::open(const PathPoint& point) {
                       .q_regained = onset.strength(),
                       .axial_strain_last = onset.axial_strain,
                       .drained = conditions_.drained,
-                      .by_displacement = conditions_.by_displacement};
+                      .by_displacement = conditions_.by_displacement,
+                      .closed = conditions_.closed};
   }
   follow(point);
 }

@@ -26,8 +26,14 @@ struct Estimate {
   double value = 0, error = 0;
 };
 
-/// η_c of the tangent modulus; empty where that does not fall as η grows.
-std::optional<Estimate> root_of_modulus(std::span<const PathSample> samples) {
+/// η_c of the tangent modulus and k = −d(dq/dε₁)/dη, Pa.
+struct Modulus {
+  Estimate root;
+  double k = 0;
+};
+
+/// Empty where the modulus does not fall as η grows.
+std::optional<Modulus> root_of_modulus(std::span<const PathSample> samples) {
   const auto& first = samples.front().signal;
   const double scale = samples.back().signal[Signal::axial_strain] - first[Signal::axial_strain];
   std::vector<Eigen::Vector3d> terms;
@@ -44,9 +50,10 @@ std::optional<Estimate> root_of_modulus(std::span<const PathSample> samples) {
   }
   const ThreeTerms fit(terms, y);
   const double slope = -fit.c[2];
-  if (!(slope * scale > 0)) return std::nullopt;
+  if (!(slope > 0)) return std::nullopt;
   const Eigen::Vector3d gradient(0, 1 / slope, fit.c[1] / (slope * slope));
-  return Estimate{fit.c[1] / slope, std::sqrt(gradient.dot(fit.covariance * gradient))};
+  return Modulus{{fit.c[1] / slope, std::sqrt(gradient.dot(fit.covariance * gradient))},
+                 slope / scale};
 }
 
 /// Of two ways of looking: what they differ by is an error of both.
@@ -151,11 +158,11 @@ FallFit at_held_q(std::span<const PathSample> all) {
 
 /// A spring let q pass its peak.
 FallFit after_peak(const Ending& ending, const Turned& turned,
-                   const std::optional<Estimate>& root) {
+                   const std::optional<Modulus>& modulus) {
   const auto [least, most] =
       std::minmax({ending.ratio_at(turned.first), ending.ratio_at(turned.last)});
   const double middle = ending.ratio_at((turned.first + turned.last) / 2);
-  const double eta = std::clamp(root ? root->value : middle, least, most);
+  const double eta = std::clamp(modulus ? modulus->root.value : middle, least, most);
   FallFit fit;
   fit.point = ending.point_at(eta);
   StressSpan span(fit.point.q, fit.point.p_eff);
@@ -166,12 +173,15 @@ FallFit after_peak(const Ending& ending, const Turned& turned,
   return fit;
 }
 
-/// The load carried the specimen over its peak within the next interval.
-FallFit under_load(const Ending& ending, const std::optional<Estimate>& root) {
+Estimate peak_under_load(const Ending& ending, const std::optional<Modulus>& modulus) {
   const AtLast& ratio = ending.ratio();
-  Estimate eta{ratio.value + ratio.rate,
-               std::hypot(ratio.rate / std::sqrt(3.0), ratio.value_error, ratio.rate_error)};
-  if (root) eta = both(*root, eta);
+  const Estimate eta{ratio.value + ratio.rate,
+                     std::hypot(ratio.rate / std::sqrt(3.0), ratio.value_error, ratio.rate_error)};
+  return modulus ? both(modulus->root, eta) : eta;
+}
+
+/// The load carried the specimen over its peak within the next interval.
+FallFit under_load(const Ending& ending, const Estimate& eta) {
   FallFit fit;
   fit.point = ending.point_at(eta.value);
   StressSpan span(fit.point.q, fit.point.p_eff);
@@ -184,10 +194,58 @@ FallFit under_load(const Ending& ending, const std::optional<Estimate>& root) {
   return fit;
 }
 
+/// q and p′ where the ratio was η for the last time, of means of five readings.
+PathSample state_before(std::span<const PathSample> all, double eta) {
+  constexpr std::size_t kAround = 2;
+  PathSample mean;
+  for (std::size_t i = all.size() - 1 - kAround;; --i) {
+    mean = {};
+    for (std::size_t j = i - kAround; j <= i + kAround; ++j)
+      for (std::size_t k = 0; k < PathSample::kSignals; ++k)
+        mean.signal[k] += all[j].signal[k] / (2 * kAround + 1);
+    if (std::fabs(ratio_of(mean)) <= std::fabs(eta) || i == kAround) return mean;
+  }
+}
+
+/// Where the pore fluid is compressed, from the fit of the peak of q with its ratio η_c.
+void move_before_peak(std::span<const PathSample> all, const FluidCompliance& c, double k,
+                      const Estimate& peak, FallFit& fit) {
+  const auto samples = all.last(std::min(all.size(), kOfLast));
+  const double strain = at_last(samples, Signal::axial_strain, kOfLast).rate;
+  const AtLast u = at_last(samples, Signal::pore_pressure, kOfLast);
+  const double p_rate = at_last(samples, Signal::p_eff, kOfLast).rate;
+  const double earlier = -c.at(u.value) * u.rate * p_rate / (strain * strain) / k;
+  const double last = ratio_of(all.back());
+  if (!std::isfinite(earlier) || !(earlier * last > 0)) return;
+  StressSpan span(fit.point.q, fit.point.p_eff);
+  const double wide = std::copysign(StressSpan::kOf95 * peak.error, last);
+  const auto is_before = [&](double eta) { return std::fabs(eta) < std::fabs(last); };
+  const double eta = peak.value - earlier;
+  if (is_before(eta)) {
+    const PathSample at = state_before(all, eta);
+    fit.point.reading = std::round(at.signal[Signal::reading]);
+    fit.point.progress = at.signal[Signal::progress];
+    fit.point.q = at.signal[Signal::q];
+    fit.point.p_eff = at.signal[Signal::p_eff];
+    fit.point.axial_strain = at.signal[Signal::axial_strain];
+    fit.point.volumetric_strain = at.signal[Signal::volumetric_strain];
+    fit.point.pore_pressure = at.signal[Signal::pore_pressure];
+    span = StressSpan(fit.point.q, fit.point.p_eff);
+  }
+  for (const double there :
+       {peak.value - c.most * earlier - wide, peak.value - c.least * earlier + wide})
+    if (is_before(there)) {
+      const PathSample at = state_before(all, there);
+      span.reach(at.signal[Signal::q], at.signal[Signal::p_eff]);
+    }
+  const StressInterval own = span.interval({});
+  fit.interval = is_before(peak.value - c.least * earlier + wide) ? own : hull(own, fit.interval);
+}
+
 }  // namespace
 
-std::optional<FallFit> fit_fall(std::span<const PathSample> all, bool held_q,
-                                double rate_of_stage) {
+std::optional<FallFit> fit_fall(std::span<const PathSample> all, bool held_q, double rate_of_stage,
+                                const std::optional<FluidCompliance>& compliance) {
   if (all.size() < kLeast) return std::nullopt;
   const auto samples = all.last(std::min(all.size(), kOfModulus));
   const Ending ending(samples);
@@ -195,16 +253,19 @@ std::optional<FallFit> fit_fall(std::span<const PathSample> all, bool held_q,
   if (held_q) return at_held_q(all);
   const double sense = std::copysign(1.0, ratio.value);
   if (!(sense * ratio.rate > 0)) return std::nullopt;
-  const auto root = root_of_modulus(samples);
+  const auto modulus = root_of_modulus(samples);
+  const Estimate peak = peak_under_load(ending, modulus);
+  FallFit fit = under_load(ending, peak);
   if (!grows_steadily(all, rate_of_stage)) {
     const Turned turned = may_have_turned(samples, Signal::q);
     if (turned.anywhere()) {
-      FallFit fit = after_peak(Ending(samples, turned.of), turned, root);
-      if (turned.last >= 1) fit.interval = hull(fit.interval, under_load(ending, root).interval);
-      return fit;
+      const StressInterval within = fit.interval;
+      fit = after_peak(Ending(samples, turned.of), turned, modulus);
+      if (turned.last >= 1) fit.interval = hull(fit.interval, within);
     }
   }
-  return under_load(ending, root);
+  if (compliance && modulus) move_before_peak(all, *compliance, modulus->k, peak, fit);
+  return fit;
 }
 
 }  // namespace triax::lab

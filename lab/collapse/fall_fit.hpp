@@ -4,6 +4,7 @@
 #include <span>
 
 #include "lab/measured/path_rates.hpp"
+#include "lab/measured/pore_fluid.hpp"
 #include "lab/results/summary.hpp"
 
 namespace triax::lab {
@@ -26,6 +27,11 @@ namespace triax::lab {
 /// where its slope cannot be told from zero (Turned): the interval is that stretch, and the next
 /// interval, too, where the slope cannot be told from zero at its end.
 ///
+/// Where pore fluid is compressed (`compliance`, of a closed valve) second-order work
+/// dq dε_q + c du dp′ vanishes before q has its peak, with the rates along ε₁:
+///   dq/dε₁ = −c (du/dε₁)(dp′/dε₁),  so η is less than η_c by −c (du/dε₁)(dp′/dε₁)/k,
+/// and its interval reaches over that of c.
+///
 /// At held q the last reading counts: the specimen yields by itself before it falls, and may have
 /// lost its equilibrium up to four readings before, or from where the volume may have turned, and
 /// before that while a loop that searches outdid the trend (servo_search.hpp); until the next
@@ -38,6 +44,7 @@ struct FallFit {
   PathPoint point;
   StressInterval interval;
 };
-std::optional<FallFit> fit_fall(std::span<const PathSample> all, bool held_q, double rate_of_stage);
+std::optional<FallFit> fit_fall(std::span<const PathSample> all, bool held_q, double rate_of_stage,
+                                const std::optional<FluidCompliance>& compliance = {});
 
 }  // namespace triax::lab

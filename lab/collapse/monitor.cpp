@@ -23,6 +23,7 @@
 #include "lab/measured/largest_strength.hpp"
 #include "lab/measured/path_history.hpp"
 #include "lab/measured/path_sampler.hpp"
+#include "lab/measured/specimen_volume.hpp"
 
 namespace triax::lab {
 namespace {
@@ -41,6 +42,7 @@ struct CollapseMonitor::Impl {
   Impl(const RecordHeader& h, CollapseListeners all)
       : header(h),
         listeners(std::move(all)),
+        volume(h.specimen),
         sampler(h.has_time),
         cycles(h.has_time),
         limit(h.specimen) {
@@ -61,11 +63,13 @@ struct CollapseMonitor::Impl {
   void bound_turn(double reading);
   void place_descent(const Descent& descent);
   std::optional<StressInterval> interval_of(const OnsetFit& fit, const PathPoint& onset) const;
+  std::optional<double> onset_with_volume(double FluidCompliance::*factor) const;
   void end_stage();
   Collapse verdict_so_far() const;
 
   const RecordHeader header;
   const CollapseListeners listeners;
+  SpecimenVolume volume;
   PathSampler sampler;
   PathRates rates;
   AxisRest rest;
@@ -141,9 +145,10 @@ void CollapseMonitor::Impl::start_stage(const State& state) {
   held_undrained = held_undrained || (held_q && info->drainage == Drainage::closed);
 }
 
-void CollapseMonitor::Impl::watch(const State& s, const std::optional<Moment>& now) {
+void CollapseMonitor::Impl::watch(const State& measured, const std::optional<Moment>& now) {
   criteria.set_now(now);
-  if (!stage || *stage != s.stage) start_stage(s);
+  if (!stage || *stage != measured.stage) start_stage(measured);
+  const State s = volume.with_fluid(measured, header.stage(measured.stage));
   if (!is_watched(header.stage(s.stage))) return;
   peak.add(s);
   ++watched_states;
@@ -177,6 +182,7 @@ void CollapseMonitor::Impl::sharpen() {
                  {.q = start ? start->q : 0,
                   .held = held_q,
                   .drained = drained,
+                  .compliance = drained ? std::nullopt : volume.compliance(),
                   .has_time = header.has_time});
     bound_search();
   }
@@ -267,15 +273,31 @@ double CollapseMonitor::Impl::last_of_path() const {
 
 /// Where the windows see it, before any fit.
 void CollapseMonitor::Impl::place_descent(const Descent& descent) {
-  const PathPoint onset = peak_of_readings(within_measured(descent.onset, history), history);
+  PathPoint onset = within_measured(descent.onset, history);
+  if (!descent.closed) onset = peak_of_readings(onset, history);
   work.sharpen(onset, interval_over(history, onset, {descent.onset_low, descent.onset_high},
                                     onset.shortest_window()));
+}
+
+/// Reading of the onset at one end of the interval of c; empty where no fit shows it.
+std::optional<double> CollapseMonitor::Impl::onset_with_volume(
+    double FluidCompliance::*factor) const {
+  if (!volume.compliance() || drained) return std::nullopt;
+  const FluidCompliance& c = *volume.compliance();
+  const auto fit = descent_onset.with_volume(
+      history, last_of_path(), [&](double u) { return (c.*factor - 1) * c.strain(u); });
+  return fit ? std::optional(fit->point.reading) : std::nullopt;
 }
 
 /// Of a fit, up to the burst that ended what it could see.
 std::optional<StressInterval> CollapseMonitor::Impl::interval_of(const OnsetFit& fit,
                                                                  const PathPoint& onset) const {
-  return interval_of_fit(history, fit, onset, last_of_path());
+  const double last = last_of_path(), within = StressSpan::kOf95 * fit.error;
+  double low = fit.point.reading, high = low;
+  for (const auto& there :
+       {onset_with_volume(&FluidCompliance::least), onset_with_volume(&FluidCompliance::most)})
+    if (there) low = std::min(low, *there), high = std::max(high, *there);
+  return interval_over(history, onset, {low - within, high + within, last}, false);
 }
 
 void CollapseMonitor::Impl::end_stage() {

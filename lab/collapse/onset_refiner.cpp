@@ -65,26 +65,45 @@ void OnsetRefiner::finish(const PathHistory& history, double last_reading) {
   active_ = false;
 }
 
+/// One family of windows.
+std::optional<OnsetFit> OnsetRefiner::sweep_around(
+    const PathHistory& history, double around, double last_reading,
+    const std::function<double(double)>& change) const {
+  std::vector<OnsetFit> fits;
+  const double centre = std::min(around, last_reading - kLeastRight);
+  const double age = last_reading - centre;
+  for (double right = age; right > kShortest * age; right /= kGrowth)           // NOLINT: lengths
+    for (double left = right; left < kFarthestLeft * right; left *= kGrowth) {  // NOLINT: likewise
+      auto blocks = history.between(centre - left, centre + right);
+      if (change)
+        for (PathSample& block : blocks)
+          block.signal[PathSample::volumetric_strain] +=
+              change(block.signal[PathSample::pore_pressure]);
+      if (const auto fit = fit_onset(blocks, witness_, around)) fits.push_back(*fit);
+    }
+  if (fits.empty()) return std::nullopt;
+  return consensus(std::move(fits));
+}
+
 void OnsetRefiner::sweep(const PathHistory& history, double last_reading) {
   ++revision_;
   // Twice: the second family of windows lies around the median of the first.
   for (int pass = 0; pass < 2; ++pass) {
-    std::vector<OnsetFit> fits;
-    const double centre = std::min(centre_, last_reading - kLeastRight);
-    const double age = last_reading - centre;
-    for (double right = age; right > kShortest * age; right /= kGrowth)         // NOLINT: lengths
-      for (double left = right; left < kFarthestLeft * right; left *= kGrowth)  // NOLINT: likewise
-        if (const auto fit =
-                fit_onset(history.between(centre - left, centre + right), witness_, centre_))
-          fits.push_back(*fit);
-    if (fits.empty()) break;
-    best_ = consensus(std::move(fits));
+    const auto found = sweep_around(history, centre_, last_reading, nullptr);
+    if (!found) break;
+    best_ = found;
     centre_ = best_->point.reading;
   }
   // The windows that place the onset may be too long for its values.
   const auto around = history.between(centre_ - kAround, std::min(centre_ + kAround, last_reading));
   if (best_ && static_cast<double>(around.size()) > kAround)
     best_->point = values_at(around, centre_);
+}
+
+std::optional<OnsetFit> OnsetRefiner::with_volume(
+    const PathHistory& history, double last_reading,
+    const std::function<double(double)>& change) const {
+  return sweep_around(history, centre_, last_reading, change);
 }
 
 }  // namespace triax::lab

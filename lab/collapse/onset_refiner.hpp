@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <functional>
+#include <optional>
+
 #include "lab/collapse/onset_fit.hpp"
 #include "lab/measured/path_history.hpp"
 
@@ -23,6 +26,10 @@ class OnsetRefiner {
   void finish(const PathHistory& history, double last_reading);
   /// The best so far; empty until a window shows the turn.
   const std::optional<OnsetFit>& onset() const { return best_; }
+  /// The onset as it would be if the volume were another one: `change` is added to the volumetric
+  /// strain of every sample, of which it gets the pore pressure (Pa). Empty without a turn.
+  std::optional<OnsetFit> with_volume(const PathHistory& history, double last_reading,
+                                      const std::function<double(double)>& change) const;
   /// How often it was sought: onset() changes with this number only.
   int revision() const { return revision_; }
   /// Whether more readings may still improve it.
@@ -30,6 +37,9 @@ class OnsetRefiner {
 
  private:
   void sweep(const PathHistory& history, double last_reading);
+  std::optional<OnsetFit> sweep_around(const PathHistory& history, double around,
+                                       double last_reading,
+                                       const std::function<double(double)>& change) const;
 
   bool active_ = false;
   int revision_ = 0;

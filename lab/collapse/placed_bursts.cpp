@@ -39,7 +39,8 @@ Instant fall_at(const Instant& burst, const std::optional<StressInterval>& inter
   const auto last = static_cast<double>(burst.reading);
   const double rate_of_stage =
       (burst.q_pa.value_or(0) - stage.q) / std::max(last - history.first_reading(), 1.0);
-  const auto fit = fit_fall(history.between(last - kBeforeFall, last), stage.held, rate_of_stage);
+  const auto fit = fit_fall(history.between(last - kBeforeFall, last), stage.held, rate_of_stage,
+                            stage.compliance);
   if (fit) {
     fall = instant_of(fit->point, stage.has_time);
     fall.interval = fit->interval;

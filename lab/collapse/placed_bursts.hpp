@@ -9,6 +9,7 @@
 #include "lab/collapse/finding.hpp"
 #include "lab/collapse/loss_of_control.hpp"
 #include "lab/measured/path_history.hpp"
+#include "lab/measured/pore_fluid.hpp"
 #include "lab/results/summary.hpp"
 
 namespace triax::lab {
@@ -25,8 +26,9 @@ class PlacedBursts {
  public:
   /// The stage in which the burst came.
   struct Stage {
-    double q = 0;                        ///< at its first sample, Pa
-    bool held = false, drained = false;  ///< q is held; the drainage is open
+    double q = 0;                                 ///< at its first sample, Pa
+    bool held = false, drained = false;           ///< q is held; the drainage is open
+    std::optional<FluidCompliance> compliance{};  ///< of the pore fluid, where the valve is closed
     bool has_time = true;
   };
   /// Places what `control` found. `near`: the latest point of the path before it. Pre-condition:

@@ -44,7 +44,8 @@ void SecondOrderWork::start_stage(const StageInfo* stage) {
   const Drainage before = std::exchange(drainage_, stage ? stage->drainage : Drainage::unknown);
   descents_.start_stage({.drained = is_drained_frame(stage),
                          .by_displacement = stage && stage->control == AxialControl::displacement,
-                         .another_specimen = is_another_specimen(before, stage)});
+                         .another_specimen = is_another_specimen(before, stage),
+                         .closed = drainage_ == Drainage::closed && !held_q_});
 }
 
 void SecondOrderWork::add_point(const PathPoint& point, bool has_time) {

@@ -54,7 +54,10 @@ std::optional<MeasuredIncrement> increment_of(const PathStep& step, double p_err
 }
 
 IncrementWatch::IncrementWatch(const RecordHeader& header, std::int64_t reading)
-    : header_(header), reading_(static_cast<double>(reading)), sampler_(header.has_time) {
+    : header_(header),
+      reading_(static_cast<double>(reading)),
+      volume_(header.specimen),
+      sampler_(header.has_time) {
   rates_.on_point = [this](const PathPoint& point) { take(point); };
 }
 
@@ -68,8 +71,10 @@ void IncrementWatch::start_stage(const State& state) {
 void IncrementWatch::watch(const State& state) {
   if (passed_ || !complete(state)) return;
   if (!stage_ || *stage_ != state.stage) start_stage(state);
-  if (passed_ || !is_watched(header_.stage(state.stage))) return;
-  if (const auto sample = sampler_.sample(state)) rates_.add(*sample);
+  if (passed_) return;
+  const State with = volume_.with_fluid(state, header_.stage(state.stage));
+  if (!is_watched(header_.stage(state.stage))) return;
+  if (const auto sample = sampler_.sample(with)) rates_.add(*sample);
 }
 
 void IncrementWatch::take(const PathPoint& point) {

@@ -7,6 +7,7 @@
 
 #include "lab/measured/path_rates.hpp"
 #include "lab/measured/path_sampler.hpp"
+#include "lab/measured/specimen_volume.hpp"
 
 namespace triax::lab {
 
@@ -49,6 +50,7 @@ class IncrementWatch {
 
   RecordHeader header_;
   double reading_;
+  SpecimenVolume volume_;
   PathSampler sampler_;
   PathRates rates_;
   std::optional<int> stage_;

@@ -7,7 +7,7 @@
 namespace triax::src {
 
 WorkWindows::WorkWindows(const lab::RecordHeader& header)
-    : header_(header), sampler_(header.has_time) {
+    : header_(header), volume_(header.specimen), sampler_(header.has_time) {
   rates_.on_point = [this](const lab::PathPoint& point) { take(point); };
 }
 
@@ -17,8 +17,9 @@ void WorkWindows::add(const lab::State& state, std::size_t row) {
     end_stage();
     stage_ = state.stage;
   }
+  const lab::State with = volume_.with_fluid(state, header_.stage(state.stage));
   if (!lab::is_watched(header_.stage(state.stage))) return;
-  const auto sample = sampler_.sample(state);
+  const auto sample = sampler_.sample(with);
   if (!sample) return;
   using S = lab::PathSample;
   const auto& s = sample->signal;

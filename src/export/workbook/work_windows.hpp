@@ -10,6 +10,7 @@
 
 #include "lab/measured/path_rates.hpp"
 #include "lab/measured/path_sampler.hpp"
+#include "lab/measured/specimen_volume.hpp"
 #include "lab/results/record_header.hpp"
 
 namespace triax::src {
@@ -60,6 +61,7 @@ class WorkWindows {
   void close_blocks(const Block& block, std::size_t row);
 
   lab::RecordHeader header_;
+  lab::SpecimenVolume volume_;
   lab::PathSampler sampler_;
   lab::PathRates rates_;
   std::optional<int> stage_;

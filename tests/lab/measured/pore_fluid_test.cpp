@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/warning/pore_fluid.hpp"
+#include "lab/measured/pore_fluid.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -112,4 +112,47 @@ TEST_CASE("(1 - B)/B is what the cell pressure did beside u") {
       kAir / kSkeleton * (1 / (3e5 + kAtmosphericPa) - 1 / (3.8e5 + kAtmosphericPa));
   REQUIRE(fluid.give());
   CHECK(*fluid.give() == Approx((root * root - 2e4) / 8e4));
+}
+
+TEST_CASE("PoreFluid: a good B check and consolidation outweigh what is known before") {
+  PoreFluid fluid;
+  check(fluid, 8e4);
+  consolidate(fluid);
+  const double u = 3e5, p_of_check = 3.8e5 + kAtmosphericPa;
+  const FluidCompliance c = fluid.posterior(u, std::nullopt);
+  // 3.5e-8/Pa, thirty times that of water and lines: all but their share is free air.
+  const double shown = kAir / (p_of_check * p_of_check);
+  CHECK(c.at(3.8e5) == Approx(shown).epsilon(0.2));
+  CHECK(c.least * c.at(3.8e5) < shown);
+  CHECK(c.most * c.at(3.8e5) > shown);
+  CHECK(c.most / c.least < 5);
+  CHECK(c.rigid == Approx(2.3e-10 + 0.45e-12 / 5.4e-4));
+  CHECK(c.at(1e5) > 3 * c.at(5e5));
+}
+
+TEST_CASE("PoreFluid: without a B check c is that of water and lines") {
+  const FluidCompliance large = PoreFluid().posterior(3e5, 5.4e-3);
+  const FluidCompliance small = PoreFluid().posterior(3e5, 5.4e-4);
+  CHECK(large.at(3e5) == Approx(2.3e-10 + 0.45e-12 / 5.4e-3).epsilon(0.01));
+  CHECK(small.at(3e5) == Approx(2.3e-10 + 0.45e-12 / 5.4e-4).epsilon(0.01));
+  CHECK(small.least == Approx(std::exp(-1.96 * 0.92)).epsilon(0.02));
+  CHECK(small.most == Approx(std::exp(1.96 * 0.92)).epsilon(0.02));
+}
+
+TEST_CASE("PoreFluid: a B check by two transducers that differ shows little") {
+  // B reads 1.001: the fluid would expand under pressure.
+  PoreFluid fluid;
+  for (int i = 0; i <= 20; ++i)
+    fluid.add(before_shear(1, 2e4 - 4 * i, 3e5 + 4e3 * i, 0), &kCheck);
+  consolidate(fluid);
+  const FluidCompliance c = fluid.posterior(3e5, std::nullopt);
+  CHECK(c.at(3e5) > 0);
+  CHECK(c.at(3e5) < 2e-9);
+  CHECK(c.least > 0);
+}
+
+TEST_CASE("FluidCompliance: the strain is the integral of c") {
+  const FluidCompliance c{.rigid = 1e-9, .air = 500};
+  const double u = 2.5e5, step = 10;
+  CHECK((c.strain(u + step) - c.strain(u - step)) / (2 * step) == Approx(c.at(u)).epsilon(1e-6));
 }
