@@ -64,6 +64,23 @@ bool Backbone::Side::gone(const State& state) const {
   return strength(state) < (1 - kWorth) * strength(fall.peak) - kNoises * fall.noise;
 }
 
+/// The strength is gone at this state. A single one may be an outlier: it shows no pace.
+void Backbone::Side::note_low(const State& state) {
+  const double advance = strain(state) - strain(fall.last_high);
+  const auto readings = static_cast<double>(state.reading - fall.last_high.reading);
+  fall.axis_went_on =
+      fall.axis_went_on || advance > kMinStrain ||
+      (fall.first_low.reading < state.reading && pace > 0 && advance >= kMinPace * pace * readings);
+}
+
+/// Of the readings before the fall; 0 if they are too few to know their noise.
+double Backbone::Side::pace_of_recent() const {
+  const std::int64_t readings =
+      recent.empty() ? 0 : fall.last_high.reading - recent.front().reading;
+  if (readings < kFew / 2) return 0;
+  return (strain(fall.last_high) - strain(recent.front())) / static_cast<double>(readings);
+}
+
 void Backbone::Side::descend(const State& state, double step, bool drained) {
   const double now = strength(state), peak = strength(fall.peak);
   if (fall.readings == 0 && now >= kHigh * peak) {
@@ -75,9 +92,11 @@ void Backbone::Side::descend(const State& state, double step, bool drained) {
     fall.least = state;
     fall.regained = now;
   }
+  if (fall.readings > 0 && gone(state)) note_low(state);
   if (fall.confirmed) return;
   if (!gone(state)) {
     fall.readings = 0;  // one state alone was an outlier
+    fall.axis_went_on = false;
     return;
   }
   if (fall.readings > 0) {
@@ -86,6 +105,8 @@ void Backbone::Side::descend(const State& state, double step, bool drained) {
   }
   fall.readings = state.reading - fall.last_high.reading;
   fall.first_low = state;
+  pace = pace_of_recent();
+  note_low(state);
   fall.drained = drained;
   fall.confirmed = now < kGone * peak && step > std::max(kLeap, kLeapOfSteps * largest_step);
 }
@@ -93,8 +114,7 @@ void Backbone::Side::descend(const State& state, double step, bool drained) {
 bool Backbone::Side::counts() const {
   return any && fall.readings > 0 && fall.readings <= kFew &&
          strength(fall.peak) > kLeastRatio * fall.peak.p_eff && gone(fall.least) &&
-         sign * (fall.least.strain.axial - fall.last_high.strain.axial) > kLeastStrain &&
-         fall.normalised_work() < 0;
+         fall.axis_went_on && fall.normalised_work() < 0;
 }
 
 std::optional<BackboneFall> Backbone::Side::larger() const {
@@ -110,7 +130,10 @@ void Backbone::Side::add(const State& state, double way, bool drained) {
   if (worst) worst->regained = std::max(worst->regained, strength(state));
   if (!onward) {
     // At the end of its travel the strain stands, and the strength is still gone.
-    if (fall.readings > 0 && gone(state) && !turned) fall.confirmed = true;
+    if (fall.readings > 0 && gone(state) && !turned) {
+      fall.confirmed = true;
+      note_low(state);
+    }
     fall.regained = std::max(fall.regained, strength(state));
     return;
   }

@@ -25,6 +25,9 @@ struct BackboneFall {
   double noise = 0;           ///< of |q| before it, see BendNoise
   std::optional<Moment> noticed;  ///< when it was confirmed; empty: it was not before the end
   bool drained = false;  ///< lost with the drainage open and the axis moved by displacement
+  /// The axial strain went on while the strength was gone: by kMinStrain, or at kMinPace of its
+  /// increase per reading before the fall. Otherwise the drive had stopped.
+  bool axis_went_on = false;
 
   double loss() const;            ///< share of the peak; above 1 where q changed its sign
   double share_regained() const;  ///< of what was lost
@@ -37,17 +40,17 @@ struct BackboneFall {
 /// comes back from an unloading it begins anew, with the strength that the loop left: a loss along
 /// it is one of monotonic shear. Compression and extension each by itself, in constant memory.
 ///
-/// A fall counts where |q| lost kWorth of the peak and kNoises times its noise, within kFew
-/// readings (more of them are for windows to judge), with kLeastStrain and negative second-order
-/// work.
+/// A fall counts if |q| lost kWorth of the peak and kNoises times its noise within kFew readings
+/// (windows assess slower ones), the axis went on while the strength was gone, and second-order
+/// work is negative.
 class Backbone {
  public:
-  static constexpr double kHigh = 0.98;         ///< of the peak: nearly all of it
-  static constexpr double kWorth = 0.10;        ///< as Descent::kWorthALoss
-  static constexpr double kLeastStrain = 5e-4;  ///< of the fall: else the drive stands
-  static constexpr double kLeastRatio = 0.05;   ///< |q|/p′ of a peak that is one
-  static constexpr double kNoises = 18;         ///< of BendNoise: 10.4 standard deviations
-  static constexpr std::int64_t kFew = 32;      ///< readings
+  static constexpr double kHigh = 0.98;                       ///< of the peak: nearly all of it
+  static constexpr double kWorth = 0.10;                      ///< as Descent::kWorthALoss
+  static constexpr double kMinStrain = 5e-4, kMinPace = 0.5;  ///< BackboneFall::axis_went_on
+  static constexpr double kLeastRatio = 0.05;                 ///< |q|/p′ of a peak that is one
+  static constexpr double kNoises = 18;     ///< of BendNoise: 10.4 standard deviations
+  static constexpr std::int64_t kFew = 32;  ///< readings
 
   void start_stage(bool drained);
   /// What is confirmed by this state is known at the reading `now`.
@@ -67,11 +70,15 @@ class Backbone {
     bool turned = false;  ///< unloaded since
     BackboneFall fall{};  ///< under way; its peak stands before any
     std::optional<BackboneFall> worst{};
+    double pace = 0;  ///< increase of the strain per reading, before the fall
     double strength(const State& s) const { return sign * s.q; }
+    double strain(const State& s) const { return sign * s.strain.axial; }
     void add(const State& state, double way, bool drained);
     void forget(const State& state);
     void begin(const State& state);
     bool gone(const State& state) const;
+    void note_low(const State& state);
+    double pace_of_recent() const;
     void descend(const State& state, double step, bool drained);
     bool counts() const;
     std::optional<BackboneFall> larger() const;

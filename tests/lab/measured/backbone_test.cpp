@@ -210,3 +210,39 @@ TEST_CASE("what the first reading of an unloading took is no fall: the strain go
       {3.62, 105, 76}, {3.94, 126, 90}, {4.27, 149, 107}, {4.53, 170, 121}};
   CHECK_FALSE(fall_of(rows));
 }
+
+namespace {
+
+/// 200 states up to 77 kPa in steps of 0.00425 %, then `count` states at 4 kPa in steps of `step` %
+/// of which the first is the lowest.
+std::vector<Row> sudden_fall(double step, int count) {
+  std::vector<Row> rows;
+  for (int i = 0; i < 200; ++i) {
+    const double left = 1 - i / 200.0;
+    rows.push_back({0.00425 * i, 77 * (1 - left * left), 200 - 0.4 * i});
+  }
+  for (int i = 0; i < count; ++i) rows.push_back({0.84575 + step * (i + 1), i == 0 ? 3.8 : 3.9, 2});
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("Backbone: a fall within one reading counts whatever the strain step") {
+  const double step = GENERATE(0.0025, 0.00425, 0.007, 0.1);
+  const int count = GENERATE(3, 12, 100);
+  const auto fall = fall_of(sudden_fall(step, count));
+  REQUIRE(fall);
+  CHECK(fall->confirmed);
+  CHECK(fall->loss() > 0.94);
+  CHECK(verdict_on(sudden_fall(step, count)).kind == CollapseKind::flow);
+}
+
+TEST_CASE("Backbone: a small step counts once the strain has gone on far enough") {
+  CHECK_FALSE(fall_of(sudden_fall(0.0012, 12)));  // slower than before, and by 0.01 % only
+  CHECK(fall_of(sudden_fall(0.0012, 60)));
+}
+
+TEST_CASE("Backbone: what is lost after the drive has stopped is no fall") {
+  CHECK_FALSE(fall_of(sudden_fall(0, 100)));
+  CHECK_FALSE(fall_of(sudden_fall(1e-5, 100)));
+}
