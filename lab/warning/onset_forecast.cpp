@@ -14,13 +14,13 @@ constexpr double kLongest = 0.5, kShortest = 0.1;  ///< distance that rules the 
 constexpr double kReach = 2.5, kReachShut = 5;
 constexpr double kDown = 0.02;  ///< of the largest y, by which it has come down
 constexpr double kApart = 2;    ///< of the way ahead, between two witnesses that are believed both
-/// Errors, of the distance: without drift; a unit of drift, which counts to kMostDrift; and of the
-/// standard error of the drift.
-constexpr double kModel = 0.25, kDrift = 0.4, kMostDrift = 1.5, kDriftUnsure = 0.3;
-constexpr double kPast = 2;        ///< standard errors past which earlier tests are not believed
-constexpr double kCovered = 0.02;  ///< of the η forecast: what has to be seen of it in the stage
-constexpr int kLooksInAll = 64, kLooksNear = 256;  ///< a look each so many-th part of the readings
-constexpr double kLooksFrom = 0.2;  ///< share of η left, from which it is the latter
+/// Standard deviation of ln(distance/forecast distance): laws bend, mostly so that the onset is
+/// forecast too early.
+constexpr double kModel = 0.6;
+constexpr double kPast = 2;         ///< standard errors past which earlier tests are not believed
+constexpr double kCovered = 0.02;   ///< of the η forecast: what has to be seen of it in the stage
+constexpr int kLooksInAll = 64;     ///< a look each so many-th part of the readings
+constexpr double kLooksFrom = 0.2;  ///< share of η left, from which every reading is looked at
 
 std::size_t first_within(const std::vector<PathMean>& means, double from) {
   const auto at = std::ranges::find_if(means, [&](const PathMean& m) { return m.eta >= from; });
@@ -76,9 +76,10 @@ PathMean latest(const std::vector<PathMean>& means, std::size_t count) {
   return sum;
 }
 
-/// Where the onset will be, and how well that is known.
-void foresee(const DrivenFit& f, double xi, DrivenPath::Control control, ForecastDrift& drift,
-             EtaForecast& made) {
+/// Where the onset will be, and how well that is known. What lies ahead is known up to a factor
+/// (kModel). A root behind the present state contradicts that the specimen is controlled: the
+/// interval of 90 % reaches to the present state.
+void foresee(const DrivenFit& f, double xi, DrivenPath::Control control, EtaForecast& made) {
   const bool open = control == DrivenPath::Control::held_q_open;
   double ahead = xi * f.distance, between = 0;
   if (const auto slope = f.root_of_slope(); control == DrivenPath::Control::strain_path && slope &&
@@ -88,12 +89,12 @@ void foresee(const DrivenFit& f, double xi, DrivenPath::Control control, Forecas
   }
   const double of_fit =
       open ? 2 * std::fabs(ahead) * std::sqrt(f.variance(1, 1)) / std::fabs(f.y[1]) : f.error(xi);
-  drift.add(made.now, ahead, of_fit);
-  const auto slope = drift.slope();
-  const double drifts = std::min(std::fabs(slope.value), kMostDrift);
-  const double model = std::hypot(kModel, kDrift * drifts, kDriftUnsure * slope.error);
+  const double factor = std::exp(kOf90 * kModel);
+  const double below = ahead > 0 ? ahead * (1 - 1 / factor) : -ahead;
+  const double above = ahead > 0 ? ahead * (factor - 1) : -ahead;
   made.eta = made.now + ahead;
-  made.error = std::hypot(of_fit, between, model * std::max(ahead, 0.0));
+  made.error = std::hypot(of_fit, between, below / kOf90);
+  made.error_above = std::hypot(of_fit, between, above / kOf90);
 }
 
 /// What the path does there: dη/dx, and whether p′ still falls.
@@ -110,7 +111,7 @@ void weigh(const EarlierTests::Onset& known, EtaForecast& made) {
   const double own = 1 / (made.error * made.error), theirs = 1 / (known.error * known.error);
   const double apart = (made.eta - known.eta) / std::hypot(made.error, known.error);
   made.eta = (own * made.eta + theirs * known.eta) / (own + theirs);
-  made.error = std::max(1.0, std::fabs(apart)) / std::sqrt(own + theirs);
+  made.error = made.error_above = std::max(1.0, std::fabs(apart)) / std::sqrt(own + theirs);
   made.by_earlier = true;
 }
 
@@ -134,7 +135,7 @@ bool look_back(const std::vector<PathMean>& means, std::size_t latest, EtaForeca
   const auto& before = most == means.begin() ? *most : *(most - 1);
   const auto& after = most + 1 == means.end() ? *most : *(most + 1);
   made.eta = most->eta;
-  made.error = 0.5 * std::fabs(after.eta - before.eta) / kOf90;
+  made.error = made.error_above = 0.5 * std::fabs(after.eta - before.eta) / kOf90;
   return true;
 }
 
@@ -168,8 +169,12 @@ bool OnsetForecast::add(const State& state) {
   const std::int64_t readings = path_.readings();
   if (readings == looked_) return false;
   const bool near = forecast_ && forecast_->left() < kLooksFrom;
-  const std::int64_t every = readings / (near ? kLooksNear : kLooksInAll);
+  const std::int64_t every = near ? 1 : readings / kLooksInAll;
   if (readings > looked_ && readings - looked_ < every) return false;
+  // Means of readings are independent if half of the readings differ.
+  const std::size_t half = std::max<std::size_t>(latest_of(path_.means(), readings) / 2, 1);
+  new_evidence_ =
+      std::clamp(static_cast<double>(readings - looked_) / static_cast<double>(half), 0.0, 1.0);
   looked_ = readings;
   forecast_ = made();
   return true;
@@ -188,6 +193,7 @@ std::optional<EtaForecast> OnsetForecast::known_alone(const PathMean& here) cons
   if (!before) return std::nullopt;
   return EtaForecast{.eta = before->eta,
                      .error = before->error,
+                     .error_above = before->error,
                      .now = here.eta,
                      .by = by_,
                      .q = here.q,
@@ -230,14 +236,14 @@ std::optional<EtaForecast> OnsetForecast::made() {
   EtaForecast made = described(*f, here, weight);
   const auto before = known(here.eta);
   if (xi) {
-    foresee(*f, *xi, path_.control(), drift_, made);
+    foresee(*f, *xi, path_.control(), made);
     if (before && *xi > 0) weigh(*before, made);
     if (on_path)
       path_at_onset(*f, made.by_earlier ? (made.eta - here.eta) / f->distance : *xi, here, made);
   } else if (!on_path || !look_back(means, count, made)) {
     if (!before) return std::nullopt;
     made.eta = before->eta;
-    made.error = before->error;
+    made.error = made.error_above = before->error;
     made.by_earlier = true;
     if (on_path) path_at_onset(*f, (made.eta - here.eta) / f->distance, here, made);
   }

@@ -16,8 +16,8 @@
 // and half of what lies between them is a part of its error. Measured on the laws of triax
 // (bench/warning): stiffness is straight in INL2; bent in SANISAND and hypoplasticity, where it
 // comes out early; octolinear has a knee, which no witness sees before it is reached. All err by a
-// share of the distance: the error holds such a share beside that of the fit, and what the
-// forecasts of this test have drifted by (ForecastDrift).
+// share of the distance, and more often by too little of it: beside the error of the fit the
+// distance is known up to a factor, of log-normal distribution.
 //
 // Where pore fluid and lines give way (PoreFluid) work is taken with that strain.
 //
@@ -29,13 +29,13 @@
 #include "lab/results/forecast.hpp"
 #include "lab/warning/driven_path.hpp"
 #include "lab/warning/earlier_tests.hpp"
-#include "lab/warning/forecast_drift.hpp"
 
 namespace triax::lab {
 
 struct EtaForecast {
   double eta = 0;                             ///< |η| at the onset to come
-  double error = 0;                           ///< standard error
+  double error = 0;                           ///< standard error towards smaller η
+  double error_above = 0;                     ///< and towards larger η
   double now = 0;                             ///< |η| of the latest readings
   double stiffness = 0, stiffness_error = 0;  ///< dy/dx now, over the largest that was seen
   /// What of η is left, as a share of the way to the onset.
@@ -71,6 +71,9 @@ class OnsetForecast {
   bool add(const State& state);
   /// As it stands; empty where nothing points at an onset, or too little was seen of the stage.
   const std::optional<EtaForecast>& now() const { return forecast_; }
+  /// The fraction of an independent observation that the latest forecast adds to the one before:
+  /// both are of the same readings but for a few. 0 to 1.
+  double new_evidence() const { return new_evidence_; }
   /// Of the stage there is enough to say that nothing points at an onset.
   bool clear() const { return clear_; }
   /// Change of what drives the stage a unit of progress, at present; empty where it stands still.
@@ -96,8 +99,7 @@ class OnsetForecast {
   AxialControl by_ = AxialControl::unknown;
   std::optional<EtaForecast> forecast_;
   bool clear_ = false;
-  double stiffest_ = 0;
-  ForecastDrift drift_;
+  double stiffest_ = 0, new_evidence_ = 1;
   std::int64_t looked_ = 0;  ///< readings at the last look
 };
 

@@ -26,9 +26,9 @@ constexpr double kWorkNear = 0.4, kWorkNearLess = 0.25;
 constexpr double kWorkLoad = 0.33, kWorkLess = 0.185, kWorkScans = 0.5, kWorkFrame = 0.14;
 /// At held q, by the share of η that is left: below which a hunting pressure may bring the fall.
 constexpr double kPerturbed = 0.1;
-/// Of the limit surface, by which an onset lies below it: from which on work counts as it is, and
-/// up to which no work is low.
-constexpr double kRoom = 0.45, kNoRoom = 0.25;
+/// Fraction of the limit surface by which an onset lies below it: from there on work counts as it
+/// is. For an onset on the limit itself no work is low.
+constexpr double kRoom = 0.45;
 constexpr double kSofter = 0.58, kSoft = 0.55;  ///< dy/dx at held q over its largest: near, soon
 constexpr int kNearLooks = 3, kSoonLooks = 2, kFarLooks = 5;  ///< in a row
 constexpr int kFew = 64;                                      ///< readings of the stage
@@ -68,6 +68,12 @@ bool WarningLevels::is_near() const {
   if (f->left() > kNear) return false;
   return (f->work <= room_ * kWorkNear && f->fall >= kFalls) ||
          (f->work <= room_ * kWorkNearLess && f->fall >= kFallsLess);
+}
+
+/// Looks at neighbouring readings are hardly more evidence than one.
+double WarningLevels::count_look(bool shows, double in_row) const {
+  if (!shows) return 0;
+  return in_row > 0 ? in_row + forecast_.new_evidence() : 1;
 }
 
 bool WarningLevels::is_far() const {
@@ -155,19 +161,17 @@ bool WarningLevels::is_last_chance() const {
 
 bool WarningLevels::look(std::optional<bool> inside, double below_limit) {
   if (level_ == WarningLevel::lost) return false;
-  room_ = std::clamp((below_limit - kNoRoom) / (kRoom - kNoRoom), 0.0, 1.0);
+  room_ = std::clamp(below_limit / kRoom, 0.0, 1.0);
   if (is_new_) {
-    near_ = is_near() ? near_ + 1 : 0;
-    far_ = is_far() ? far_ + 1 : 0;
+    near_ = count_look(is_near(), near_);
+    far_ = count_look(is_far(), far_);
   }
   const WarningLevel was = level_;
   const bool points = forecast() && inside != false && (inside || forecast()->eta < kHighest) &&
                       !carried_on_there();
   if (is_new_ && (forecast() || forecast_.clear())) {
-    if (!points || !is_imminent())
-      soon_ = 0;
-    else
-      soon_ += is_last_chance() ? kSoonLooks : 1;
+    soon_ = count_look(points && is_imminent(), soon_);
+    if (soon_ > 0 && is_last_chance()) soon_ = kSoonLooks;
   }
   if (level_ == WarningLevel::none && points && near_ >= kNearLooks)
     level_ = WarningLevel::approaching;
@@ -192,7 +196,7 @@ std::optional<Forecast> WarningLevels::current_forecast(const State& now) const 
   // An onset that was not passed lies ahead.
   const double low =
       std::max(forecast()->eta - kOf90 * forecast()->error, std::min(eta_now_, forecast()->eta));
-  const double high = forecast()->eta + kOf90 * forecast()->error;
+  const double high = forecast()->eta + kOf90 * forecast()->error_above;
   Forecast current{.reading = now.reading,
                    .time_s = {},
                    .eta = *eta,

@@ -57,6 +57,7 @@ class WarningLevels {
  private:
   const std::optional<EtaForecast>& forecast() const { return forecast_.now(); }
   bool is_far() const;
+  double count_look(bool shows, double in_row) const;
   bool is_near() const;
   bool is_imminent() const;
   bool is_imminent_on_path() const;
@@ -72,10 +73,10 @@ class WarningLevels {
   bool is_new_ = false;  ///< the forecast of the latest state
   OnsetForecast forecast_;
   std::optional<State> first_, before_, state_;
-  double room_ = 1;                    ///< share of the limits of work that counts
-  double eta_now_ = 0;                 ///< |η| of the latest states, the lower of two
-  double eta_before_ = 0;              ///< |η| of the one before
-  int near_ = 0, far_ = 0, soon_ = 0;  ///< looks in a row
+  double room_ = 1;                       ///< share of the limits of work that counts
+  double eta_now_ = 0;                    ///< |η| of the latest states, the lower of two
+  double eta_before_ = 0;                 ///< |η| of the one before
+  double near_ = 0, far_ = 0, soon_ = 0;  ///< independent looks in a row
   WarningLevel level_ = WarningLevel::none;
 };
 

@@ -66,9 +66,56 @@ TEST_CASE("two witnesses that differ are met halfway, and what lies between is i
   const double later = f.now + 1 / (1 / (0.6 - f.now) - 0.5 / f.now);
   CHECK(f.eta == Approx(0.5 * (0.6 + later)).margin(0.002));
   // The mean of the two moves as the second does, by 0.15 of η.
-  const double between = 0.5 * (later - 0.6), of_model = 0.25 * (f.eta - f.now);
-  CHECK(f.error > std::hypot(between, of_model));
-  CHECK(f.error < 1.2 * std::hypot(between, of_model));
+  // ln(distance/forecast) has a standard deviation of 0.6.
+  const double between = 0.5 * (later - 0.6), factor = std::exp(1.645 * 0.6);
+  const double below = (f.eta - f.now) * (1 - 1 / factor), above = (f.eta - f.now) * (factor - 1);
+  CHECK(f.error == Approx(std::hypot(between, below / 1.645)).epsilon(0.02));
+  CHECK(f.error_above == Approx(std::hypot(between, above / 1.645)).epsilon(0.02));
+}
+
+namespace {
+
+/// At held q with the valve closed, du/dp′ = 1 − (η − 0.3)/0.3: u turns at η = 0.6.
+OnsetForecast turning(int readings) {
+  OnsetForecast forecast = forecast_started(AxialControl::constant_q, Drainage::closed);
+  for (int i = 0; i <= readings; ++i) {
+    const double p = 3e5 - 600.0 * i, q = 9e4;
+    State s = held(p, q, 0.6, i + 1);
+    s.pore_pressure = 5e5 + 2 * (p - 3e5) - q / 0.3 * std::log(p / 3e5);
+    forecast.add(s);
+  }
+  return forecast;
+}
+
+}  // namespace
+
+TEST_CASE("OnsetForecast: a root behind leaves the present state in the interval") {
+  const OnsetForecast past = turning(270);  // η now 0.65
+  REQUIRE(past.now());
+  CHECK(past.now()->eta < past.now()->now - 0.03);
+  CHECK(past.now()->eta + 1.645 * past.now()->error_above >= past.now()->now - 1e-6);
+  CHECK(past.now()->eta - 1.645 * past.now()->error < past.now()->eta - 0.03);
+  CHECK_FALSE(turning(290).now());  // η now 0.71: too far behind
+  const OnsetForecast before = turning(245);  // η now 0.59: what is close is known well
+  REQUIRE(before.now());
+  CHECK(before.now()->eta > before.now()->now);
+  CHECK(before.now()->error_above < 0.05);
+}
+
+TEST_CASE("OnsetForecast: near the onset every reading is evaluated, far from it few are") {
+  OnsetForecast forecast = forecast_started(AxialControl::load);
+  LoosePath path;
+  constexpr int kReadings = 20000;
+  int far = 0, near = 0;
+  for (int i = 1; i <= kReadings; ++i) {
+    const bool is_new = forecast.add(path.at(path.eta_under_load(0.999 * i / kReadings), i));
+    if (i > kReadings / 4 && i <= kReadings / 2) far += is_new;
+    if (i <= kReadings - 400) continue;
+    near += is_new;
+    CHECK(forecast.new_evidence() == Approx(0.125));  // means of sixteen readings
+  }
+  CHECK(far < 100);
+  CHECK(near == 400);
 }
 
 TEST_CASE("normalised second-order work along the path is that of the closed form") {

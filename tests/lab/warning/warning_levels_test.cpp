@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/warning/warning_levels.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/lab/warning/loose_path.hpp"
@@ -78,15 +79,17 @@ TEST_CASE("near the limit surface less work is called low") {
     LoosePath path;
     for (int i = 1; i < 600; ++i) {
       levels.add(path.at(0.001 * i, i));
-      levels.look(true, 1 - 0.6 / limit);
+      levels.look(true, std::max(1 - 0.6 / limit, 0.0));
       if (levels.level() == WarningLevel::imminent) return 0.001 * i;
     }
     return 1.0;
   };
   CHECK(first(1.29) < 0.5);
   CHECK(first(1.29) == first(5));
-  CHECK(first(0.9) > first(1.29) + 0.02);
-  CHECK(first(0.63) == 1.0);
+  CHECK(first(0.7) > first(1.29) + 0.02);
+  CHECK(first(0.63) > first(0.7));
+  CHECK(first(0.63) < 0.6);
+  CHECK(first(0.6) == 1.0);  // on the limit itself
 }
 
 TEST_CASE("a work with which earlier tests of the sand carried on is no sign") {
@@ -133,4 +136,22 @@ WarningLevel stiff_near_earlier(bool one_carried_on) {
 TEST_CASE("what earlier tests agree on is imminent within the next scans, however stiff it looks") {
   CHECK(stiff_near_earlier(false) == WarningLevel::imminent);
   CHECK(stiff_near_earlier(true) == WarningLevel::none);
+}
+
+TEST_CASE("WarningLevels: a root far behind the present state is no forecast") {
+  // At held q the fit's root is at η = 0.6; the specimen is controlled at 0.85.
+  WarningLevels levels = levels_started(AxialControl::constant_q);
+  State s;
+  s.stage = 1;
+  s.q = 9e4;
+  for (int i = 0; i <= 640; ++i) {
+    s.reading = i;
+    s.time_s = i;
+    s.p_eff = 3e5 - 300.0 * i;
+    s.strain = {1e-8 * (3e5 - s.p_eff), 0};
+    s.pore_pressure = 5e5 + 2 * (s.p_eff - 3e5) - s.q / 0.3 * std::log(s.p_eff / 3e5);
+    after(levels, s);
+    if (s.eta() > 0.5 && s.eta() < 0.59) CHECK(levels.current_forecast(s));
+    if (s.eta() > 0.85) CHECK_FALSE(levels.current_forecast(s));
+  }
 }
