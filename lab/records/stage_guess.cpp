@@ -98,6 +98,16 @@ Guess drainage_guess(const StageInfo& inferred, const std::string& evidence) {
           .remedy = said_otherwise(inferred)};
 }
 
+Guess single_stage_guess(const StageInfo& only) {
+  return {
+      .what = "role",
+      .taken = fmt::format("{} in all readings", to_string(only.role)),
+      .evidence = "the record has no stage column",
+      .remedy = fmt::format("a column `stage` if the record contains a B check or consolidation, "
+                            "or --set stages.{}.role=...",
+                            only.number)};
+}
+
 DrainageEvidence find_drainage(const StageSummary& shear, const SpecimenInfo& specimen) {
   const double volume = shear[Quantity::volumetric_strain].range();
   const auto strain = fmt::format("its volumetric strain changes by {:.3g} %", volume * 100);

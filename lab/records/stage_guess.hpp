@@ -17,6 +17,9 @@ Guess stage_guess(const StageSummary& moved, const StageInfo& inferred,
 /// The drainage of a record's only stage, taken from what its columns are or did.
 Guess drainage_guess(const StageInfo& inferred, const std::string& evidence);
 
+/// That all readings of a record without a stage column belong to its only stage, `only`.
+Guess single_stage_guess(const StageInfo& only);
+
 struct DrainageEvidence {
   Drainage drainage = Drainage::unknown;  ///< unknown: the readings do not show it
   std::string text;                       ///< evidence, with numbers and units; may be empty

@@ -21,6 +21,7 @@
 #include "lab/records/rows/find_reversed_rows.hpp"
 #include "lab/records/rows/rows_ahead.hpp"
 #include "lab/records/rows/sample_rows.hpp"
+#include "lab/records/rows/spread_times.hpp"
 #include "lab/records/stage_guess.hpp"
 #include "lab/records/stage_inference.hpp"
 #include "lab/records/stage_number.hpp"
@@ -85,6 +86,8 @@ struct RecordedRig::Impl {
     if (!layout.test.empty())
       header.digest = sha256(*open_memory(layout.file, header.digest + '\n' + layout.test));
     rows.emplace(*source, layout, findings, header.warnings);
+    spread.emplace([this](Row& next) { return rows->next(next); },
+                   layout.has(ColumnRole::stage_time), findings);
     waiting = draw(first);
     if (!waiting) throw BadInput(layout.file, layout.heading_line, "no row of readings");
   }
@@ -129,6 +132,7 @@ struct RecordedRig::Impl {
   std::int64_t count = 0;
   int stage = 0;
   std::optional<RowsAhead> rows;  ///< reads `source`, and ends before it
+  std::optional<SpreadTimes> spread;
 };
 
 TomlTable RecordedRig::Impl::parse_preamble(const std::string& toml) const {
@@ -174,7 +178,9 @@ void RecordedRig::Impl::settle_stages() {
   if (!header.stages.empty()) return;
   if (!layout.has(ColumnRole::stage)) {
     header.stages.push_back(single_stage(layout, header.programme));
-    if (layout.dialect.stage.drainage == Drainage::unknown) settle_drainage(header.stages.front());
+    if (layout.dialect.stage.drainage != Drainage::unknown) return;
+    header.guesses.push_back(single_stage_guess(header.stages.front()));
+    settle_drainage(header.stages.front());
     return;
   }
   // The file numbers its stages but does not say what they are: look at all of it once.
@@ -394,7 +400,7 @@ int RecordedRig::Impl::stage_of(const Row& drawn) {
 }
 
 bool RecordedRig::Impl::draw(Reading& reading) {
-  if (over || !rows->next(row)) {
+  if (over || !spread->next(row)) {
     finish();
     return false;
   }

@@ -12,7 +12,8 @@
 namespace triax::lab {
 namespace {
 
-/// With the last alternative, or with the drainage, the assumption itself is removed.
+/// With the last alternative, with the drainage, or with the role of the only stage, the assumption
+/// itself is removed.
 void settle_guess(RecordHeader& header, const std::string& key) {
   const auto number = stage_of_key(key);
   if (!number) return;
@@ -20,6 +21,7 @@ void settle_guess(RecordHeader& header, const std::string& key) {
   if (drainage)
     std::ranges::find(header.stages, *number, &StageInfo::number)->drainage_was_said = true;
   std::erase_if(header.guesses, [&](Guess& guess) {
+    if (guess.what == "role") return key.ends_with(".role");
     if (guess.what != "drainage" && guess.what != fmt::format("stage {}", *number)) return false;
     std::erase_if(guess.otherwise, [&](const Guess::Said& said) { return said.key == key; });
     return drainage && guess.otherwise.empty();

@@ -32,10 +32,11 @@ std::unique_ptr<RecordedRig> open(const std::vector<std::pair<std::string, std::
 
 TEST_CASE("a record is read once more with each answer that was not taken") {
   const auto rig = open({});
-  REQUIRE(rig->header().guesses.size() == 1);
-  REQUIRE(rig->header().guesses[0].otherwise.size() == 1);
-  CHECK(rig->header().guesses[0].otherwise[0].key == "stages.1.drainage");
-  CHECK(rig->header().guesses[0].otherwise[0].value == "closed");
+  REQUIRE(rig->header().guesses.size() == 2);
+  CHECK(rig->header().guesses[0].otherwise.empty());
+  REQUIRE(rig->header().guesses[1].otherwise.size() == 1);
+  CHECK(rig->header().guesses[1].otherwise[0].key == "stages.1.drainage");
+  CHECK(rig->header().guesses[1].otherwise[0].value == "closed");
   const auto others = judge_otherwise(rig->header(), {}, [](const Guess::Said& said) {
     return open({{said.key, said.value}});
   });
@@ -48,7 +49,7 @@ TEST_CASE("a record is read once more with each answer that was not taken") {
   const Collapse c = run_session(*rig, {.otherwise = [&] { return others; }}).collapse;
   CHECK_FALSE(c.judged);
   // What was said is no guess any more, and nothing is asked.
-  const auto said = open({{"stages.1.drainage", "closed"}});
+  const auto said = open({{"stages.1.drainage", "closed"}, {"stages.1.role", "shear"}});
   CHECK(said->header().guesses.empty());
 }
 

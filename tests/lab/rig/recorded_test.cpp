@@ -289,3 +289,25 @@ TEST_CASE("RecordedRig: a back pressure in another unit is a warning") {
     return warning.line == 2 && warning.text.starts_with("the back pressure, 300000 kPa");
   }));
 }
+
+TEST_CASE("RecordedRig: a record without a stage column says what was taken as shear") {
+  const std::string rows = "0,0,0.1,800\n1,0.1,0.2,800\n2,0.2,0.3,800\n";
+  const auto role_of = [](const RecordedRig& rig) {
+    const auto& guesses = rig.header().guesses;
+    const auto found = std::ranges::find(guesses, "role", &Guess::what);
+    return found == guesses.end() ? std::string() : found->taken;
+  };
+  CHECK(role_of(*open_text(kHeadings + rows)) == "shear in all readings");
+  CHECK(role_of(*open_text(kHeadings + rows, {.sets = {{"stages.1.role", "shear"}}})).empty());
+  CHECK(role_of(*open_text("stage," + kHeadings + "1,0,0,0.1,800\n1,1,0.1,0.2,800\n")).empty());
+}
+
+TEST_CASE("RecordedRig: readings of a rounded clock are evenly spread") {
+  const auto rig =
+      open_text(kHeadings + "0,0,0.1,800\n0,0.1,0.2,800\n1,0.2,0.3,800\n1,0.3,0.4,800\n");
+  const auto readings = all_readings(*rig);
+  REQUIRE(readings.size() == 4);
+  CHECK(readings[1].time_s == 0.5);
+  CHECK(readings[2].time_s == 1);
+  CHECK(readings[3].time_s > 1);
+}
