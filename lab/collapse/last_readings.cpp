@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "lab/collapse/change_point.hpp"
 #include "lab/collapse/stress_span.hpp"
 
 namespace triax::lab {
@@ -64,16 +65,38 @@ AtLast at_last(std::span<const PathSample> samples, PathSample::Signal signal,
       samples, [signal](const PathSample& s) { return s.signal[signal]; }, readings);
 }
 
-Turned may_have_turned(std::span<const PathSample> samples, PathSample::Signal signal) {
+namespace {
+
+/// Of parabolas through more or fewer of the last readings the one whose slope is known best.
+std::optional<AtLast> best_at_last(std::span<const PathSample> samples, PathSample::Signal signal,
+                                   std::size_t& of) {
   std::optional<AtLast> best;
-  Turned turned;
   for (const std::size_t readings : {6U, 8U, 12U, 16U, 24U, 36U, 60U}) {
     if (readings > samples.size()) break;
     const AtLast at = at_last(samples, signal, readings);
     if (best && at.rate_error >= best->rate_error) continue;
     best = at;
-    turned.of = readings;
+    of = readings;
   }
+  return best;
+}
+
+}  // namespace
+
+bool contracts_at_end(std::span<const PathSample> samples, bool drained) {
+  constexpr double kSure = ChangePoint::kSignificance;
+  using Signal = PathSample::Signal;
+  std::size_t of = 0;
+  const auto volume =
+      best_at_last(samples, drained ? Signal::volumetric_strain : Signal::pore_pressure, of);
+  const auto p_eff = best_at_last(samples, Signal::p_eff, of);
+  return volume && volume->rate > kSure * volume->rate_error &&
+         p_eff->rate < -kSure * p_eff->rate_error;
+}
+
+Turned may_have_turned(std::span<const PathSample> samples, PathSample::Signal signal) {
+  Turned turned;
+  const auto best = best_at_last(samples, signal, turned.of);
   if (!best) return turned;
   constexpr double kStep = 0.25;                                             // readings
   for (double x = 1 - static_cast<double>(turned.of); x <= 1; x += kStep) {  // NOLINT: exact

@@ -50,6 +50,11 @@ struct Turned {
 /// Nowhere for fewer than six samples.
 Turned may_have_turned(std::span<const PathSample> samples, PathSample::Signal signal);
 
+/// At held q: whether p′ falls and the specimen contracts at the last of them, by
+/// ChangePoint::kSignificance standard errors: in the volume if `drained`, else in the pore
+/// pressure, which measures it while the valve is closed. False for fewer than six samples.
+bool contracts_at_end(std::span<const PathSample> samples, bool drained);
+
 /// Whether q grows up to the end as it did over the stage, by `rate_of_stage` a reading, as under a
 /// load: over as few of the last readings as tell. Pre-condition: at least four samples.
 bool grows_steadily(std::span<const PathSample> samples, double rate_of_stage);

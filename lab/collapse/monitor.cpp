@@ -10,6 +10,7 @@
 #include "lab/base/listeners.hpp"
 #include "lab/collapse/control_peak.hpp"
 #include "lab/collapse/criteria.hpp"
+#include "lab/collapse/last_readings.hpp"
 #include "lab/collapse/limit_surface.hpp"
 #include "lab/collapse/loss_of_control.hpp"
 #include "lab/collapse/onset_interval.hpp"
@@ -55,6 +56,9 @@ struct CollapseMonitor::Impl {
   void judge(const PathPoint& point);
   void look_nearer(const PathPoint& point);
   void tell_of_descent();
+  void tell_of_turn();
+  void tell_of_onset(const Instant& at, bool failed, std::string detail);
+  void look_at_end();
   void sharpen();
   double last_of_path() const;
   void reach_unmeasured_volume(Instant& at) const;
@@ -105,6 +109,8 @@ struct CollapseMonitor::Impl {
   std::optional<std::int64_t> first_state;
   std::optional<Nearest> nearest;
   std::optional<double> told_onset;
+  bool told_turn = false;
+  std::optional<Instant> turned_at_end;  ///< of the stage that ended last
 };
 
 CollapseMonitor::CollapseMonitor(const RecordHeader& header, CollapseListeners listeners)
@@ -308,6 +314,7 @@ void CollapseMonitor::Impl::end_stage() {
   pore_turn.finish(history, history.last_reading());
   sharpen();
   bound_search();
+  look_at_end();
   history.clear();
 }
 
@@ -328,6 +335,7 @@ void CollapseMonitor::Impl::judge(const PathPoint& point) {
   look_nearer(point);
   limit.add(point.reading, point.q, point.p_eff);
   criteria.add_point(point, header.has_time);
+  tell_of_turn();
   tell_of_descent();
 }
 
@@ -340,21 +348,48 @@ void CollapseMonitor::Impl::look_nearer(const PathPoint& point) {
 void CollapseMonitor::Impl::tell_of_descent() {
   const auto& descent = work.latest();
   if (!work.latest_counts() || told_onset == descent->onset.reading) return;
+  if (held_q && told_turn) return;  // of the same onset
   told_onset = descent->onset.reading;
   const Instant at = instant_of(descent->best_onset(), header.has_time);
-  const PathPoint& onset = descent->best_onset();
-  const bool on_limit = limit.inside(onset.q, onset.p_eff, onset.reading) == false;
-  const bool failed = descent->drained || !limit.needs_cohesion(onset.q, onset.p_eff).empty();
-  if (!is_heard(listeners, &CollapseListener::happened)) return;
+  tell_of_onset(at, descent->drained,
+                fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η {:.3f} "
+                            "and stays negative",
+                            *at.q_pa / 1e3, *at.p_eff_pa / 1e3, *at.eta()));
+}
+
+/// At held q the volume, or the pore pressure, turned: q may be carried for long after that.
+void CollapseMonitor::Impl::tell_of_turn() {
+  if (told_turn || !control_peak.turned()) return;
+  told_turn = true;
+  const auto turn = control_peak.finding();
+  if (turn->instant.eta()) tell_of_onset(turn->instant, false, turn->evidence);
+}
+
+void CollapseMonitor::Impl::tell_of_onset(const Instant& at, bool failed, std::string detail) {
+  const double q = *at.q_pa, p_eff = *at.p_eff_pa;
+  const bool on_limit = limit.inside(q, p_eff, static_cast<double>(at.reading)) == false;
+  failed = failed || !limit.needs_cohesion(q, p_eff).empty();
   notify(listeners, &CollapseListener::happened,
          Event{.reading = at.reading,
                .time_s = at.time_s,
                .kind = on_limit ? EventKind::limit_surface
                        : failed ? EventKind::failure
                                 : EventKind::loss_of_sustainability,
-               .detail = fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η "
-                                     "{:.3f} and stays negative",
-                                     *at.q_pa / 1e3, *at.p_eff_pa / 1e3, onset.eta())});
+               .detail = std::move(detail)});
+}
+
+/// Whether the volume, or its gauge, has turned by the last readings while q is held, which may be
+/// too few for a window.
+void CollapseMonitor::Impl::look_at_end() {
+  turned_at_end.reset();
+  if (!held_q || control.found()) return;
+  constexpr double kReadings = 64;
+  const auto last = history.between(history.last_reading() - kReadings, history.last_reading());
+  if (!contracts_at_end(last, drained)) return;
+  const auto& s = last.back().signal;
+  turned_at_end = Instant{.reading = std::llround(s[PathSample::Signal::reading]),
+                          .q_pa = s[PathSample::Signal::q],
+                          .p_eff_pa = s[PathSample::Signal::p_eff]};
 }
 
 void CollapseMonitor::interrupt() { impl_->stage.reset(); }
@@ -370,11 +405,14 @@ Collapse CollapseMonitor::Impl::verdict_so_far() const {
     reach(*at_fall, peak_of_control->instant);
   return verdict({.worst = work.worst(),
                   .at_held_q = work.at_held_q(),
+                  .latest = work.latest(),
                   .loss_of_control = lost,
                   .loss = control.loss(),
                   .fall = at_fall,
                   .fall_work = burst ? burst->work : std::nullopt,
                   .control_peak = peak_of_control,
+                  .turned_at_held_q = control_peak.turned(),
+                  .turned_at_end = turned_at_end,
                   .volume_by_pore_pressure = held_undrained,
                   .states = watched_states,
                   .points = points,

@@ -33,8 +33,11 @@ CollapseKind kind_of(const Descent& descent) {
 
 bool runaway_came_back(const Evidence& e) { return e.loss && e.loss->came_back(); }
 
-/// A specimen that yielded at held q flows unless it caught itself with its q.
+/// A specimen that yielded at held q and lost it flows, unless it caught itself with its q. One
+/// that carried q to the end of the stage was controlled.
 CollapseKind kind_at_held_q(const Evidence& e) {
+  const double loss = e.worst ? e.worst->strength_loss() : 0;
+  if (!e.loss_of_control && loss < Descent::kWorthALoss) return CollapseKind::none;
   const bool lost_q = e.worst && kind_of(*e.worst) == CollapseKind::flow;
   const bool caught = e.loss_of_control ? runaway_came_back(e) : e.at_held_q->came_back;
   return caught && !lost_q ? CollapseKind::limited : CollapseKind::flow;
@@ -170,6 +173,7 @@ void note_when_known(const Evidence& e, const std::optional<Descent>& descent, b
   if (!c.detected()) return;
   if (descent) c.noticed = descent->noticed;
   if (e.loss_of_control) c.noticed = earlier(c.noticed, e.loss_of_control->noticed);
+  if (e.turned_at_held_q) c.noticed = earlier(c.noticed, e.control_peak->noticed);
   if (by_backbone) c.noticed = earlier(c.noticed, e.backbone->noticed);
 }
 
@@ -241,18 +245,26 @@ void end_at_doubtful_rest(const AxisRest::Fall& fall, Collapse& c) {
   c.end_at(fall.reading, reason);
 }
 
-/// q was still falling when the record ended: whether it is a loss nobody knows.
-void end_in_the_fall(const Evidence& e, Collapse& c) {
-  if (c.detected() || c.onset || !e.worst) return;
-  const Descent& fall = *e.worst;
-  const bool falls = !fall.ended && !fall.drained && fall.evidence.significantly_negative() &&
-                     fall.strength_loss() >= kFailureLoss && fall.strength_regained() < kNotTurned;
-  const PathPoint& onset = fall.best_onset();
-  if (!falls || e.limit.inside(onset.q, onset.p_eff, onset.reading) == false) return;
-  c.end_at(std::llround(onset.reading),
-           fmt::format("the record ends while q falls: {:.0f} % of it was lost, second-order work "
-                       "is negative",
-                       fall.strength_loss() * 100));
+bool is_on_limit(const Evidence& e, const Instant& at) {
+  return e.limit.inside(*at.q_pa, *at.p_eff_pa, static_cast<double>(at.reading)) == false;
+}
+
+/// The record ended just past the onset: nobody knows what came of it.
+void end_past_the_onset(const Evidence& e, Collapse& c) {
+  if (c.detected() || c.onset) return;
+  if (const auto& fall = e.latest; fall && !fall->ended && !fall->drained &&
+                                   fall->evidence.significantly_negative() &&
+                                   fall->strength_regained() < kNotTurned) {
+    const Instant onset = onset_of(*fall, e.has_time);
+    if (!is_on_limit(e, onset))
+      return c.end_at(onset.reading,
+                      fmt::format("second-order work is negative when the record ends, {:.2g} % of "
+                                  "q was lost",
+                                  fall->strength_loss() * 100));
+  }
+  if (e.turned_at_end && !is_on_limit(e, *e.turned_at_end))
+    c.end_at(e.turned_at_end->reading,
+             "second-order work at constant q is negative in the last readings of the record");
 }
 
 }  // namespace
@@ -289,7 +301,7 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
   end_beyond_friction(e.limit, c);
   note_when_known(e, descent, by_backbone, c);
   if (e.cycles) tell_cyclic_mobility(*e.cycles, c);
-  end_in_the_fall(e, c);
+  end_past_the_onset(e, c);
   // A runaway that was seen is never withdrawn.
   if (e.fall_at_rest && !e.loss_of_control) end_at_doubtful_rest(*e.fall_at_rest, c);
   set_limit(e.limit, c);

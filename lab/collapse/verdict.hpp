@@ -19,6 +19,7 @@ namespace triax::lab {
 struct Evidence {
   std::optional<Descent> worst;      ///< descent that cost most strength
   std::optional<Descent> at_held_q;  ///< descent that lasted while q was held
+  std::optional<Descent> latest;     ///< the one under way when the record ended
   std::optional<Finding> loss_of_control;
   const LossAndReturn* loss = nullptr;  ///< what that took and gave back; null: nobody says
   /// The specimen fell from one reading to the next, and this is where it lost its equilibrium.
@@ -27,6 +28,9 @@ struct Evidence {
   std::optional<Instant> fall;
   std::optional<FallWork> fall_work;  ///< its second-order work, where readings prove it
   std::optional<Finding> control_peak;
+  bool turned_at_held_q = false;  ///< control_peak is the turn of the volume, or of u, at held q
+  /// At held q the volume contracts, or u rises, while p′ falls at the last readings of the record.
+  std::optional<Instant> turned_at_end;
   /// At held q with the valve closed the measured volume stands still and second-order work is zero
   /// within its error until q is lost; the pore pressure, gauge of the volume, gives the onset.
   bool volume_by_pore_pressure = false;
@@ -43,18 +47,18 @@ struct Evidence {
 };
 
 /// flow: half the strength or more is lost and not half of that comes back, in the descent or by a
-/// loss of control that follows it, or the specimen yields at held q to the end, or it runs away
-/// and its strength does not come back; limited: a tenth or more is lost, or it runs away, and half
-/// of that comes back (LossAndReturn); partial: a tenth or more, and neither; none: less, or the
-/// onset lies on the limit surface (softening of dense sand is a failure there, no diffuse
-/// collapse). So is a peak of q with the drainage open under prescribed displacement, unless the
-/// friction angle is known to be larger; that is told from a fiftieth of the strength on. Strength
-/// that was lost within fewer readings than windows need is a collapse by the work of its finite
-/// increment; where a single one shows the loss, nothing is known after it; nor where the record
-/// ends while q falls and less than that is lost. Where cycles of load liquefied the specimen and
-/// were carried on it is cyclic mobility. `criteria` are those of Criteria::criteria(): they stand
-/// in the verdict, the first of them, second-order work, as a fall proves it or the limit surface
-/// refutes it.
+/// loss of control that follows it, or the specimen yields at held q and loses a tenth of it or
+/// runs away, or it runs away and its strength does not come back; limited: a tenth or more is
+/// lost, or it runs away, and half of that comes back (LossAndReturn); partial: a tenth or more,
+/// and neither; none: less, or the onset lies on the limit surface (softening of dense sand is a
+/// failure there, no diffuse collapse). So is a peak of q with the drainage open under prescribed
+/// displacement, unless the friction angle is known to be larger; that is told from a fiftieth of
+/// the strength on. Strength that was lost within fewer readings than windows need is a collapse by
+/// the work of its finite increment; where a single one shows the loss, nothing is known after it;
+/// nor where the record ends with negative second-order work and less than that is lost. Where
+/// cycles of load liquefied the specimen and were carried on it is cyclic mobility. `criteria` are
+/// those of Criteria::criteria(): they stand in the verdict, the first of them, second-order work,
+/// as a fall proves it or the limit surface refutes it.
 Collapse verdict(const Evidence& evidence, std::vector<Criterion> criteria);
 
 }  // namespace triax::lab

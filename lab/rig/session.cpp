@@ -163,6 +163,7 @@ class SessionRun {
   void report_impossible(const JudgedStates::Judged& judged);
   void report_sensors();
   void watch_fall(const State& state);
+  void pass_onset();
   void heed(const State& state);
   void ask_guard(const State& state);
   void know_the_fall(Collapse& collapse) const;
@@ -195,8 +196,9 @@ class SessionRun {
   Pace pace_;
   std::optional<int> stage_;
   std::optional<Moment> last_reading_;
-  bool impossible_ = false;  ///< the state that was judged last
-  bool ended_ = false;       ///< what is found from now on was not known while the test ran
+  bool onset_passed_ = false;  ///< in the stage under way, whose q is still held
+  bool impossible_ = false;    ///< the state that was judged last
+  bool ended_ = false;         ///< what is found from now on was not known while the test ran
   std::vector<Warning> aborted_;
   Clock::time_point next_progress_ = Clock::now();
 };
@@ -210,7 +212,7 @@ CollapseListener SessionRun::monitor_listener() {
               },
           .happened =
               [this](const Event& e) {
-                if (e.kind == EventKind::loss_of_sustainability) alarm_.lose();
+                if (e.kind == EventKind::loss_of_sustainability) pass_onset();
                 report_event(e);
               }};
 }
@@ -228,6 +230,7 @@ void SessionRun::take(const Reading& reading) {
   if (stage_ != reading.stage) report_event(stage_event(back_end_.header(), reading));
   if (stage_ != reading.stage && reading.line > 0)
     summary_.ending.stage_lines.emplace_back(reading.number, reading.line);
+  if (stage_ != reading.stage && std::exchange(onset_passed_, false)) alarm_.lose();
   stage_ = reading.stage;
   report_rig_events();
   const State state = reduction_.reduce(reading);
@@ -252,6 +255,13 @@ void SessionRun::report_sensors() {
     if (finding.channel == Quantity::axial_displacement || finding.channel == Quantity::axial_force)
       fall_watch_.interrupt();
   }
+}
+
+/// At held q the fall is still to come: the alarm continues until it or the end of the stage.
+void SessionRun::pass_onset() {
+  const StageInfo* stage = stage_ ? back_end_.header().stage(*stage_) : nullptr;
+  onset_passed_ = stage && stage->control == AxialControl::constant_q;
+  if (!onset_passed_) alarm_.lose();
 }
 
 void SessionRun::watch_fall(const State& state) {
@@ -386,6 +396,14 @@ void SessionRun::summarise() {
   know_the_fall(collapse);
   collapse.approaching = acted_on_.first ? acted_on_.first : alarm_.approaching();
   collapse.imminent = acted_on_.second ? acted_on_.second : alarm_.imminent();
+  // Nor may a result be an all-clear while an onset is expected within the next readings.
+  if (const auto& warned = collapse.imminent; warned && !warned->cyclic && !collapse.detected() &&
+                                              !collapse.onset &&
+                                              alarm_.level() == WarningLevel::imminent)
+    collapse.end_at(last_reading_->reading,
+                    fmt::format("the record ends while the warning `imminent` of reading {} is in "
+                                "force",
+                                warned->reading));
   // What was about to happen when the test broke off is in no reading. A failure that was told is.
   if (const std::string& why = back_end_.header().cut_short; !why.empty() && !collapse.onset)
     collapse.end_at(last_reading_ ? std::optional(last_reading_->reading) : std::nullopt, why);

@@ -81,3 +81,37 @@ TEST_CASE("q under a load grows on to the end; through a spring it slows down be
       samples_of(60, [](double i) { return 240 - (60 - i) * (60 - i) / 15 + 0.3 * noise(i); });
   CHECK_FALSE(grows_steadily(spring, 4));
 }
+
+namespace {
+
+/// At held q: p′ falls by 1 kPa a reading, u by `u`.
+std::vector<PathSample> held_samples(int count, const std::function<double(double)>& u) {
+  auto samples = samples_of(count, [](double) { return 60e3; });
+  for (int i = 0; i < count; ++i) {
+    auto& s = samples[static_cast<std::size_t>(i)].signal;
+    s[PathSample::p_eff] = 200e3 - 1e3 * i;
+    s[PathSample::pore_pressure] = u(i);
+    s[PathSample::volumetric_strain] = -1e-8 * u(i);
+  }
+  return samples;
+}
+
+}  // namespace
+
+TEST_CASE("contracts_at_end: three readings past the turn of u are enough") {
+  const auto turn_at = [](double last) {
+    return [last](double i) { return 300e3 + 40 * (i - last) * (i - last); };
+  };
+  CHECK(contracts_at_end(held_samples(30, turn_at(26)), false));
+  CHECK_FALSE(contracts_at_end(held_samples(30, turn_at(30)), false));
+  CHECK_FALSE(contracts_at_end(held_samples(30, turn_at(26)), true));  // the volume grows
+  CHECK_FALSE(contracts_at_end(held_samples(5, turn_at(1)), false));
+}
+
+TEST_CASE("contracts_at_end: noise is no turn") {
+  int found = 0;
+  for (int trial = 0; trial < 200; ++trial)
+    found += contracts_at_end(
+        held_samples(64, [&](double i) { return 300e3 + 200 * noise(i + 1000 * trial); }), false);
+  CHECK(found <= 4);
+}

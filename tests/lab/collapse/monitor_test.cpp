@@ -315,3 +315,57 @@ TEST_CASE("at held q, drained, through a volume in coarse steps the onset is whe
     CHECK(std::fabs(*c.onset->eta() - 90e3 / (250e3 - 15.0 * kTurn)) < 0.003);
   }
 }
+
+namespace {
+
+struct HeldTest {
+  std::vector<Event> events;
+  Collapse collapse;
+};
+
+/// Half a day at held q, drained, while p′ falls: the volume turns at reading 3000 if it `turns`.
+HeldTest held_test(bool turns, int readings, int runs_away_at) {
+  RecordHeader header = undrained_header();
+  header.stages[0].drainage = Drainage::open;
+  header.stages[0].control = AxialControl::constant_q;
+  HeldTest test;
+  CollapseMonitor monitor(header,
+                          {{.happened = [&](const Event& e) { test.events.push_back(e); }}});
+  std::mt19937_64 rng(5);
+  std::normal_distribution<double> unit(0, 1);
+  for (int i = 0; i < readings; ++i) {
+    const double t = i - 3000.0, run = i > runs_away_at ? 1e-3 * (i - runs_away_at) : 0.0;
+    State s;
+    s.reading = i;
+    s.time_s = i;
+    s.volumetric_strain = (turns ? 2e-10 * t * t : -1e-7 * i) + 0.1 * run + 1e-6 * unit(rng);
+    s.strain.axial = 2e-3 + 5e-7 * i + run + 5e-6 * unit(rng);
+    s.q = 90e3 * (1 - 10 * run) + 150 * unit(rng);
+    s.p_eff = 250e3 - 20.0 * i + 80 * unit(rng);
+    s.pore_pressure = 300e3 + 80 * unit(rng);
+    s.effective_stress = {s.p_eff + 2 * s.q / 3, s.p_eff - s.q / 3};
+    monitor.watch(s);
+  }
+  test.collapse = monitor.finish();
+  return test;
+}
+
+}  // namespace
+
+TEST_CASE("CollapseMonitor: the turn of the volume at held q is told before the fall") {
+  const HeldTest test = held_test(true, 6000, 5900);
+  REQUIRE_FALSE(test.events.empty());
+  CHECK(test.events.front().kind == EventKind::loss_of_sustainability);
+  CHECK(std::abs(test.events.front().reading - 3000) < 500);
+  CHECK(test.events.size() == 1);
+  REQUIRE(test.collapse.noticed);
+  CHECK(test.collapse.noticed->reading < 5900);
+  CHECK(test.collapse.kind == CollapseKind::flow);
+  CHECK(held_test(false, 5000, 5000).events.empty());
+}
+
+TEST_CASE("CollapseMonitor: a record that ends past the turn at held q is not assessed") {
+  CHECK_FALSE(held_test(true, 5000, 5000).collapse.judged);
+  CHECK(held_test(true, 2000, 2000).collapse.judged);
+  CHECK(held_test(false, 5000, 5000).collapse.judged);
+}

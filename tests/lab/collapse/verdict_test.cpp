@@ -167,18 +167,29 @@ TEST_CASE("none says how near it came") {
   CHECK(c.nearest->reading == 30);
 }
 
-TEST_CASE("yielding at held q is a flow unless the specimen catches itself with its q") {
+TEST_CASE("verdict: yielding at held q is a flow only if something is lost") {
   const LimitSurface limit = sand();
   Descent held = descent(60e3, 105e3, 0, 60e3);
   held.axial_strain_last = held.onset.axial_strain + 0.02;
   CHECK(lasts_at_held_q(held));
-  CHECK(assess({.at_held_q = held, .points = 50, .limit = limit}).kind == CollapseKind::flow);
-  held.came_back = true;
-  CHECK_FALSE(lasts_at_held_q(held));
-  CHECK(assess({.at_held_q = held, .points = 50, .limit = limit}).kind == CollapseKind::limited);
+  const Collapse carried = assess({.at_held_q = held, .points = 50, .limit = limit});
+  CHECK(carried.kind == CollapseKind::none);
+  CHECK_FALSE(carried.onset);
   const Finding lost{.instant = {.reading = 20}, .evidence = "q fell"};
   CHECK(assess({.at_held_q = held, .loss_of_control = lost, .points = 50, .limit = limit}).kind ==
         CollapseKind::flow);
+  CHECK(assess({.worst = descent(60e3, 105e3, 9e3, 51e3),
+                .at_held_q = held,
+                .points = 50,
+                .limit = limit})
+            .kind == CollapseKind::flow);
+  held.came_back = true;
+  CHECK_FALSE(lasts_at_held_q(held));
+  CHECK(assess({.worst = descent(60e3, 105e3, 9e3, 60e3),
+                .at_held_q = held,
+                .points = 50,
+                .limit = limit})
+            .kind == CollapseKind::limited);
 }
 
 TEST_CASE("a burst alone is a collapse where no window could be filled") {
@@ -278,25 +289,65 @@ TEST_CASE("a limit of the test's own excuses no undrained loss of most of the st
   CHECK(assess({.worst = fall, .points = 50, .limit = walked}).kind == CollapseKind::none);
 }
 
-TEST_CASE("a record that ends while q falls is not judged to its end; a dip that came back is") {
+TEST_CASE("verdict: a record that ends past its onset is not assessed") {
   const LimitSurface limit = sand();
-  Descent fall = descent(100e3, 150e3, 6e3, 94e3);
+  Descent fall = descent(100e3, 150e3, 100, 99.9e3);
   fall.evidence.normalised_error = 0.02;
-  const Collapse cut = assess({.worst = fall, .points = 50, .limit = limit});
+  const auto with = [&](const Descent& latest) {
+    return assess({.worst = latest, .latest = latest, .points = 50, .limit = limit});
+  };
+  const Collapse cut = with(fall);
   CHECK_FALSE(cut.judged);
   CHECK(cut.judged_until == 10);
-  CHECK_THAT(cut.judged_until_reason, Catch::Contains("ends while q falls: 6 %"));
+  CHECK_THAT(cut.judged_until_reason, Catch::Contains("0.1 % of q was lost"));
 
-  Descent turned = fall;
-  turned.q_regained = 95e3;  // it has turned
-  CHECK(assess({.worst = turned, .points = 50, .limit = limit}).judged);
+  Descent turned = descent(100e3, 150e3, 6e3, 95e3);
+  turned.evidence.normalised_error = 0.02;  // it has turned
+  CHECK(with(turned).judged);
   Descent over = fall;
   over.ended = true;
-  CHECK(assess({.worst = over, .points = 50, .limit = limit}).judged);
+  CHECK(with(over).judged);
   Descent drained = fall;
   drained.drained = true;
-  CHECK(assess({.worst = drained, .points = 50, .limit = limit}).judged);
-  CHECK(assess({.worst = descent(100e3, 150e3, 1e3, 99e3), .points = 50, .limit = limit}).judged);
+  CHECK(with(drained).judged);
+  Descent unsure = fall;
+  unsure.evidence.normalised_error = 0.1;
+  CHECK(with(unsure).judged);
+  Descent on_limit = descent(127e3, 100e3, 100, 126.9e3);
+  on_limit.evidence.normalised_error = 0.02;
+  CHECK(with(on_limit).judged);
+}
+
+TEST_CASE("verdict: a record that ends as the volume turns at held q is not assessed") {
+  const LimitSurface limit = sand();
+  const auto with = [&](double q) {
+    const Instant last{.reading = 40, .q_pa = q, .p_eff_pa = 100e3};
+    return assess({.turned_at_end = last, .points = 50, .limit = limit});
+  };
+  CHECK_FALSE(with(60e3).judged);
+  CHECK(with(60e3).judged_until == 40);
+  CHECK_THAT(with(60e3).judged_until_reason, Catch::Contains("at constant q is negative"));
+  CHECK(with(127e3).judged);  // dense sand on its limit
+}
+
+TEST_CASE("verdict: at held q the turn of the volume is known before the fall") {
+  const LimitSurface limit = sand();
+  const Finding turn{.instant = {.reading = 4, .q_pa = 60e3, .p_eff_pa = 105e3},
+                     .evidence = "turned",
+                     .noticed = Moment{8, 8.0}};
+  const Finding burst{.instant = {.reading = 40, .q_pa = 60e3, .p_eff_pa = 100e3},
+                      .evidence = "strain",
+                      .noticed = Moment{42, 42.0}};
+  const auto noticed = [&](bool at_held_q) {
+    return assess({.loss_of_control = burst,
+                   .control_peak = turn,
+                   .turned_at_held_q = at_held_q,
+                   .points = 50,
+                   .limit = limit})
+        .noticed->reading;
+  };
+  CHECK(noticed(true) == 8);
+  CHECK(noticed(false) == 42);  // a peak of q that came back
 }
 
 TEST_CASE("a verdict is known when the first of what it rests on was") {
