@@ -55,9 +55,9 @@ struct CollapseMonitor::Impl {
   void take(const PathPoint& point);
   void judge(const PathPoint& point);
   void look_nearer(const PathPoint& point);
-  void tell_of_descent();
-  void tell_of_turn();
-  void tell_of_onset(const Instant& at, bool failed, std::string detail);
+  void report_descent();
+  void report_turn();
+  void report_onset(const Instant& at, bool failed, std::string detail);
   void look_at_end();
   void sharpen();
   double last_of_path() const;
@@ -109,7 +109,7 @@ struct CollapseMonitor::Impl {
   std::optional<std::int64_t> first_state;
   std::optional<Nearest> nearest;
   std::optional<double> told_onset;
-  bool told_turn = false;
+  bool turn_reported = false;
   std::optional<Instant> turned_at_end;  ///< of the stage that ended last
 };
 
@@ -335,8 +335,8 @@ void CollapseMonitor::Impl::judge(const PathPoint& point) {
   look_nearer(point);
   limit.add(point.reading, point.q, point.p_eff);
   criteria.add_point(point, header.has_time);
-  tell_of_turn();
-  tell_of_descent();
+  report_turn();
+  report_descent();
 }
 
 void CollapseMonitor::Impl::look_nearer(const PathPoint& point) {
@@ -345,27 +345,27 @@ void CollapseMonitor::Impl::look_nearer(const PathPoint& point) {
   nearest = Nearest{std::llround(point.reading), point.work.normalised, point.normalised_error};
 }
 
-void CollapseMonitor::Impl::tell_of_descent() {
+void CollapseMonitor::Impl::report_descent() {
   const auto& descent = work.latest();
   if (!work.latest_counts() || told_onset == descent->onset.reading) return;
-  if (held_q && told_turn) return;  // of the same onset
+  if (held_q && turn_reported) return;  // of the same onset
   told_onset = descent->onset.reading;
   const Instant at = instant_of(descent->best_onset(), header.has_time);
-  tell_of_onset(at, descent->drained,
-                fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η {:.3f} "
-                            "and stays negative",
-                            *at.q_pa / 1e3, *at.p_eff_pa / 1e3, *at.eta()));
+  report_onset(at, descent->drained,
+               fmt::format("second-order work vanished at q {:.2f} kPa, p' {:.2f} kPa, η {:.3f} "
+                           "and stays negative",
+                           *at.q_pa / 1e3, *at.p_eff_pa / 1e3, *at.eta()));
 }
 
 /// At held q the volume, or the pore pressure, turned: q may be carried for long after that.
-void CollapseMonitor::Impl::tell_of_turn() {
-  if (told_turn || !control_peak.turned()) return;
-  told_turn = true;
+void CollapseMonitor::Impl::report_turn() {
+  if (turn_reported || !control_peak.turned()) return;
+  turn_reported = true;
   const auto turn = control_peak.finding();
-  if (turn->instant.eta()) tell_of_onset(turn->instant, false, turn->evidence);
+  if (turn->instant.eta()) report_onset(turn->instant, false, turn->evidence);
 }
 
-void CollapseMonitor::Impl::tell_of_onset(const Instant& at, bool failed, std::string detail) {
+void CollapseMonitor::Impl::report_onset(const Instant& at, bool failed, std::string detail) {
   const double q = *at.q_pa, p_eff = *at.p_eff_pa;
   const bool on_limit = limit.inside(q, p_eff, static_cast<double>(at.reading)) == false;
   failed = failed || !limit.needs_cohesion(q, p_eff).empty();

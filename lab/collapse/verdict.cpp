@@ -249,7 +249,7 @@ bool is_on_limit(const Evidence& e, const Instant& at) {
   return e.limit.inside(*at.q_pa, *at.p_eff_pa, static_cast<double>(at.reading)) == false;
 }
 
-/// The record ended just past the onset: nobody knows what came of it.
+/// Ends the assessment if the record ended just past an onset, before anything was lost.
 void end_past_the_onset(const Evidence& e, Collapse& c) {
   if (c.detected() || c.onset) return;
   if (const auto& fall = e.latest; fall && !fall->ended && !fall->drained &&

@@ -46,19 +46,23 @@ struct Evidence {
   bool has_time = true;
 };
 
-/// flow: half the strength or more is lost and not half of that comes back, in the descent or by a
-/// loss of control that follows it, or the specimen yields at held q and loses a tenth of it or
-/// runs away, or it runs away and its strength does not come back; limited: a tenth or more is
-/// lost, or it runs away, and half of that comes back (LossAndReturn); partial: a tenth or more,
-/// and neither; none: less, or the onset lies on the limit surface (softening of dense sand is a
-/// failure there, no diffuse collapse). So is a peak of q with the drainage open under prescribed
-/// displacement, unless the friction angle is known to be larger; that is told from a fiftieth of
-/// the strength on. Strength that was lost within fewer readings than windows need is a collapse by
-/// the work of its finite increment; where a single one shows the loss, nothing is known after it;
-/// nor where the record ends with negative second-order work and less than that is lost. Where
-/// cycles of load liquefied the specimen and were carried on it is cyclic mobility. `criteria` are
-/// those of Criteria::criteria(): they stand in the verdict, the first of them, second-order work,
-/// as a fall proves it or the limit surface refutes it.
+/// The result of all evidence:
+///
+///   flow     half the strength or more is lost and less than half of that returns, in the descent
+///   or
+///            by a loss of control after it; or the specimen yields at held q and loses a tenth of
+///            it or runs away; or it runs away and its strength does not return
+///   limited  a tenth or more is lost, or it runs away, and half of that returns (LossAndReturn)
+///   partial  a tenth or more is lost, and neither of the two
+///   cyclic   cycles of load liquefied the specimen and were carried all the same
+///   none     less is lost, or the onset is on the limit surface: softening of dense sand is a
+///            failure. So is a peak of q with open drainage under prescribed displacement, reported
+///            from a fiftieth of the strength, unless the friction angle is known to be larger.
+///
+/// Strength that was lost within fewer readings than windows need counts by the work of its finite
+/// increment. Nothing is assessed after a loss that a single reading shows, nor if the record ends
+/// with negative second-order work. `criteria` are those of Criteria::criteria(). The result has
+/// them, with the evidence of a fall or the limit surface in the first, second-order work.
 Collapse verdict(const Evidence& evidence, std::vector<Criterion> criteria);
 
 }  // namespace triax::lab

@@ -113,7 +113,7 @@ void Backbone::Side::descend(const State& state, double step, bool drained) {
 
 bool Backbone::Side::counts() const {
   return any && fall.readings > 0 && fall.readings <= kFew &&
-         strength(fall.peak) > kLeastRatio * fall.peak.p_eff && gone(fall.least) &&
+         strength(fall.peak) > kMinRatio * fall.peak.p_eff && gone(fall.least) &&
          fall.axis_went_on && fall.normalised_work() < 0;
 }
 

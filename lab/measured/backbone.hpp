@@ -48,7 +48,7 @@ class Backbone {
   static constexpr double kHigh = 0.98;                       ///< of the peak: nearly all of it
   static constexpr double kWorth = 0.10;                      ///< as Descent::kWorthALoss
   static constexpr double kMinStrain = 5e-4, kMinPace = 0.5;  ///< BackboneFall::axis_went_on
-  static constexpr double kLeastRatio = 0.05;                 ///< |q|/p′ of a peak that is one
+  static constexpr double kMinRatio = 0.05;                   ///< |q|/p′ of a peak that is one
   static constexpr double kNoises = 18;     ///< of BendNoise: 10.4 standard deviations
   static constexpr std::int64_t kFew = 32;  ///< readings
 

@@ -197,7 +197,7 @@ class SessionRun {
   std::optional<int> stage_;
   std::optional<Moment> last_reading_;
   bool onset_passed_ = false;  ///< in the stage under way, whose q is still held
-  bool impossible_ = false;    ///< the state that was judged last
+  bool impossible_ = false;    ///< the latest state from the sensor checks
   bool ended_ = false;         ///< what is found from now on was not known while the test ran
   std::vector<Warning> aborted_;
   Clock::time_point next_progress_ = Clock::now();

@@ -17,10 +17,10 @@ constexpr double kApart = 2;    ///< of the way ahead, between two witnesses tha
 /// Standard deviation of ln(distance/forecast distance): laws bend, mostly so that the onset is
 /// forecast too early.
 constexpr double kModel = 0.6;
-constexpr double kPast = 2;         ///< standard errors past which earlier tests are not believed
+constexpr double kPast = 2;         ///< standard errors past which earlier tests are not used
 constexpr double kCovered = 0.02;   ///< of the η forecast: what has to be seen of it in the stage
 constexpr int kLooksInAll = 64;     ///< a look each so many-th part of the readings
-constexpr double kLooksFrom = 0.2;  ///< share of η left, from which every reading is looked at
+constexpr double kLooksFrom = 0.2;  ///< fraction of η left, from which every reading is evaluated
 
 std::size_t first_within(const std::vector<PathMean>& means, double from) {
   const auto at = std::ranges::find_if(means, [&](const PathMean& m) { return m.eta >= from; });

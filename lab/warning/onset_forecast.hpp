@@ -16,7 +16,7 @@
 // and half of what lies between them is a part of its error. Measured on the laws of triax
 // (bench/warning): stiffness is straight in INL2; bent in SANISAND and hypoplasticity, where it
 // comes out early; octolinear has a knee, which no witness sees before it is reached. All err by a
-// share of the distance, and more often by too little of it: beside the error of the fit the
+// fraction of the distance, and more often it is too short: beside the error of the fit the
 // distance is known up to a factor, of log-normal distribution.
 //
 // Where pore fluid and lines give way (PoreFluid) work is taken with that strain.

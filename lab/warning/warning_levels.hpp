@@ -73,7 +73,7 @@ class WarningLevels {
   bool is_new_ = false;  ///< the forecast of the latest state
   OnsetForecast forecast_;
   std::optional<State> first_, before_, state_;
-  double room_ = 1;                       ///< share of the limits of work that counts
+  double room_ = 1;                       ///< fraction of the limits of work that counts
   double eta_now_ = 0;                    ///< |η| of the latest states, the lower of two
   double eta_before_ = 0;                 ///< |η| of the one before
   double near_ = 0, far_ = 0, soon_ = 0;  ///< independent looks in a row
