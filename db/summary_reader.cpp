@@ -62,7 +62,7 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
         collapse.judged_from = c.integer();
         collapse.strength_lost = c.number();
         interval = read_interval(c);
-        collapse.noticed = read_moment(c);
+        collapse.onset_detected_at = read_moment(c);
         collapse.limit_intercept_pa = c.si("kPa");
         if (const auto reading = c.integer())
           collapse.nearest = lab::Nearest{*reading, c.number().value_or(0), c.number().value_or(0)};
@@ -80,7 +80,7 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
              criterion.time_s = c.number();
              criterion.eta = c.number();
              criterion.evidence = c.text();
-             criterion.noticed = read_moment(c);
+             criterion.detected_at = read_moment(c);
            });
 }
 

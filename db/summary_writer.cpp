@@ -114,7 +114,7 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
       .number(c.nearest ? std::optional(c.nearest->normalised) : std::nullopt)
       .number(c.nearest ? std::optional(c.nearest->error) : std::nullopt);
   bind_interval(row, c.onset ? c.onset->interval : std::nullopt);
-  bind_moment(row, c.noticed);
+  bind_moment(row, c.onset_detected_at);
   row.si(c.limit_intercept_pa, "kPa");
   row.run();
   insert_instant(database, id, "onset", c.onset);
@@ -130,7 +130,7 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
         .number(found.time_s)
         .number(found.eta)
         .text_or_null(found.evidence);
-    bind_moment(of_criterion, found.noticed);
+    bind_moment(of_criterion, found.detected_at);
     of_criterion.run();
   }
 }

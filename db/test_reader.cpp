@@ -138,7 +138,7 @@ void read_events(SQLite::Database& database, std::int64_t id, std::vector<lab::E
              event.time_s = c.number();
              event.kind = known(c.text(), lab::event_kind_from);
              event.detail = c.text();
-             event.noticed = read_moment(c);
+             event.detected_at = read_moment(c);
            });
 }
 

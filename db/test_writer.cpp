@@ -159,7 +159,7 @@ void insert_event(SQLite::Database& database, std::int64_t test_id, const lab::E
       .number(event.time_s)
       .text(to_string(event.kind))
       .text(event.detail);
-  bind_moment(row, event.noticed);
+  bind_moment(row, event.detected_at);
   row.run();
 }
 

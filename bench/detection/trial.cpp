@@ -152,8 +152,8 @@ TrialResult judge_trial(const lab::Programme& programme, bool collapses, std::ui
   if (c.detected() && c.onset) ours = Onset{c.onset->reading, c.onset->eta().value_or(0)};
   if (ours) r.interval = c.onset->interval;
   r.outcomes[0] = outcome_of(r, ours);
-  if (ours && r.truth_lost && c.noticed)
-    r.outcomes[0].notice_delay = c.noticed->reading - r.truth_reading;
+  if (ours && r.truth_lost && c.onset_detected_at)
+    r.outcomes[0].notice_delay = c.onset_detected_at->reading - r.truth_reading;
   const auto others = naive.onsets();
   for (std::size_t i = 0; i < others.size(); ++i) r.outcomes[i + 1] = outcome_of(r, others[i]);
   return r;

@@ -35,7 +35,7 @@ Criterion criterion_of(const CriterionRow& row, const std::optional<Finding>& fi
   c.reading = finding->instant.reading;
   c.time_s = finding->instant.time_s;
   c.eta = finding->instant.eta();
-  c.noticed = finding->noticed;
+  c.detected_at = finding->noticed;
   c.evidence = finding->evidence;
   return c;
 }

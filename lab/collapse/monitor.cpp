@@ -19,6 +19,7 @@
 #include "lab/collapse/second_order_work.hpp"
 #include "lab/collapse/servo_search.hpp"
 #include "lab/collapse/verdict.hpp"
+#include "lab/collapse/zero_stress.hpp"
 #include "lab/measured/axis_rest.hpp"
 #include "lab/measured/instant.hpp"
 #include "lab/measured/largest_strength.hpp"
@@ -78,6 +79,7 @@ struct CollapseMonitor::Impl {
   PathRates rates;
   AxisRest rest;
   Backbone backbone;
+  ZeroStress zero_stress;
   CycleCounter cycles;
   PathHistory history;  ///< of the stage under way
   OnsetRefiner descent_onset, pore_turn;
@@ -139,6 +141,7 @@ void CollapseMonitor::Impl::start_stage(const State& state) {
   stage = state.stage;
   const StageInfo* info = header.stage(state.stage);
   criteria.start_stage(info);
+  zero_stress.start_stage(info);
   rest.start_stage(info, header.has_time);
   backbone.start_stage(is_drained_frame(info));
   drained = info && info->drainage == Drainage::open;
@@ -161,6 +164,7 @@ void CollapseMonitor::Impl::watch(const State& measured, const std::optional<Mom
   if (!first_state) first_state = s.reading;
   criteria.add_state(s, header.has_time);
   backbone.add(s, now);
+  zero_stress.add_state(s, header.has_time, now);
   if (!drained) cycles.add(s);
 
   const auto sample = sampler.sample(s);
@@ -408,6 +412,7 @@ Collapse CollapseMonitor::Impl::verdict_so_far() const {
                   .latest = work.latest(),
                   .loss_of_control = lost,
                   .loss = control.loss(),
+                  .zero_stress = zero_stress.finding(),
                   .fall = at_fall,
                   .fall_work = burst ? burst->work : std::nullopt,
                   .control_peak = peak_of_control,

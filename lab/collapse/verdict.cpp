@@ -171,10 +171,20 @@ std::optional<Moment> earlier(const std::optional<Moment>& a, const std::optiona
 void note_when_known(const Evidence& e, const std::optional<Descent>& descent, bool by_backbone,
                      Collapse& c) {
   if (!c.detected()) return;
-  if (descent) c.noticed = descent->noticed;
-  if (e.loss_of_control) c.noticed = earlier(c.noticed, e.loss_of_control->noticed);
-  if (e.turned_at_held_q) c.noticed = earlier(c.noticed, e.control_peak->noticed);
-  if (by_backbone) c.noticed = earlier(c.noticed, e.backbone->noticed);
+  if (descent) c.onset_detected_at = descent->noticed;
+  if (e.loss_of_control)
+    c.onset_detected_at = earlier(c.onset_detected_at, e.loss_of_control->noticed);
+  if (e.turned_at_held_q)
+    c.onset_detected_at = earlier(c.onset_detected_at, e.control_peak->noticed);
+  if (by_backbone) c.onset_detected_at = earlier(c.onset_detected_at, e.backbone->noticed);
+}
+
+/// Independent of the kind of collapse and of its onset.
+void set_loss_of_control(const Evidence& e, Collapse& c) {
+  const std::optional<Finding>& lost = e.loss_of_control ? e.loss_of_control : e.zero_stress;
+  if (!lost || (!e.loss_of_control && is_cyclic(e))) return;
+  c.loss_of_control = lost->instant;
+  c.loss_of_control_detected_at = lost->noticed;
 }
 
 /// Strength was lost that no window of readings saw go.
@@ -225,7 +235,7 @@ void tell_cyclic_mobility(const CycleCounter& cycles, Collapse& c) {
       (liquefied_first ? loading->liquefied : loading->double_amplitude)->instant;
   if (c.kind == CollapseKind::none || reached.reading < c.onset->reading) {
     c.onset = reached;
-    c.noticed = Moment{reached.reading, reached.time_s};
+    c.onset_detected_at = Moment{reached.reading, reached.time_s};
     c.inside_limit_surface.reset();
     c.strength_lost.reset();
     c.second_order_work_normalised.reset();
@@ -300,6 +310,7 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
   tell_failures_apart(e, drained && !e.at_held_q, c);
   end_beyond_friction(e.limit, c);
   note_when_known(e, descent, by_backbone, c);
+  set_loss_of_control(e, c);
   if (e.cycles) tell_cyclic_mobility(*e.cycles, c);
   end_past_the_onset(e, c);
   // A runaway that was seen is never withdrawn.

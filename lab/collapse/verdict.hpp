@@ -22,6 +22,7 @@ struct Evidence {
   std::optional<Descent> latest;     ///< the one under way when the record ended
   std::optional<Finding> loss_of_control;
   const LossAndReturn* loss = nullptr;  ///< what that took and gave back; null: nobody says
+  std::optional<Finding> zero_stress;   ///< under a prescribed displacement (ZeroStress)
   /// The specimen fell from one reading to the next, and this is where it lost its equilibrium.
   /// Whatever turned before, until then it carried the programme, the second-order work of whose
   /// slow trend is hundreds of times smaller than that of the servo's search.
@@ -49,9 +50,8 @@ struct Evidence {
 /// The result of all evidence:
 ///
 ///   flow     half the strength or more is lost and less than half of that returns, in the descent
-///   or
-///            by a loss of control after it; or the specimen yields at held q and loses a tenth of
-///            it or runs away; or it runs away and its strength does not return
+///            or by a loss of control after it; or the specimen yields at held q and loses a tenth
+///            of it or runs away; or it runs away and its strength does not return
 ///   limited  a tenth or more is lost, or it runs away, and half of that returns (LossAndReturn)
 ///   partial  a tenth or more is lost, and neither of the two
 ///   cyclic   cycles of load liquefied the specimen and were carried all the same
@@ -63,6 +63,8 @@ struct Evidence {
 /// increment. Nothing is assessed after a loss that a single reading shows, nor if the record ends
 /// with negative second-order work. `criteria` are those of Criteria::criteria(). The result has
 /// them, with the evidence of a fall or the limit surface in the first, second-order work.
+/// The loss of control is reported whatever the kind: the runaway that no growing load withdrew,
+/// or, except in cycles, where p′ or q reached zero under a prescribed displacement.
 Collapse verdict(const Evidence& evidence, std::vector<Criterion> criteria);
 
 }  // namespace triax::lab

@@ -24,16 +24,21 @@ constexpr auto kTruthKeys =
                              {"p_eff_kPa", "kPa", &Truth::p_eff_pa},
                              {"pore_pressure_kPa", "kPa", &Truth::pore_pressure_pa}});
 
-// Keys of [[truth.run_aways]] in the same way; seconds and joules are SI already.
+// Keys of [[truth.run_aways]] in the same way.
 struct RunAwayKey {
   std::string_view name;
+  std::string_view unit;
   std::optional<double> RunAwayTruth::*member;
 };
 constexpr auto kRunAwayKeys =
-    std::to_array<RunAwayKey>({{"kinetic_energy_J", &RunAwayTruth::kinetic_energy_j},
-                               {"second_order_work_J", &RunAwayTruth::second_order_work_j},
-                               {"expected_ratio", &RunAwayTruth::expected_ratio},
-                               {"end_s", &RunAwayTruth::end_s}});
+    std::to_array<RunAwayKey>({{"kinetic_energy_J", "", &RunAwayTruth::kinetic_energy_j},
+                               {"second_order_work_J", "", &RunAwayTruth::second_order_work_j},
+                               {"expected_ratio", "", &RunAwayTruth::expected_ratio},
+                               {"end_s", "s", &RunAwayTruth::end_s},
+                               {"axial_strain", "", &RunAwayTruth::axial_strain},
+                               {"q_kPa", "kPa", &RunAwayTruth::q_pa},
+                               {"p_eff_kPa", "kPa", &RunAwayTruth::p_eff_pa},
+                               {"pore_pressure_kPa", "kPa", &RunAwayTruth::pore_pressure_pa}});
 
 // Finite in every unit.
 constexpr Bounds kMeasurable{.at_least = -1e100, .at_most = 1e100};
@@ -46,7 +51,8 @@ RunAwayTruth read_run_away(const TomlTable& table) {
   found.largest_at_s =
       table.required_number("largest_at_s", {.at_least = found.start_s, .at_most = 1e100});
   for (const RunAwayKey& row : kRunAwayKeys)
-    found.*row.member = table.number(row.name, kMeasurable);
+    if (const auto value = table.number(row.name, kMeasurable))
+      found.*row.member = sim::to_si(*value, *sim::find_unit(row.unit));
   if (found.end_s && *found.end_s < found.start_s) table.fail("end_s", "is before start_s");
   const auto ending = run_away_end_from(table.text("ending").value_or(""));
   if (!ending)
@@ -67,7 +73,9 @@ std::string run_away_toml(const RunAwayTruth& run_away) {
   append(out, "start_s", run_away.start_s);
   append(out, "largest_kinetic_energy_J", run_away.largest_kinetic_energy_j);
   append(out, "largest_at_s", run_away.largest_at_s);
-  for (const RunAwayKey& row : kRunAwayKeys) append(out, row.name, run_away.*row.member);
+  for (const RunAwayKey& row : kRunAwayKeys)
+    if (const auto& si = run_away.*row.member)
+      append(out, row.name, sim::to_field(*si, *sim::find_unit(row.unit)));
   if (run_away.end != RunAwayEnd::none)
     out += fmt::format("ending = {}\n", toml_quoted(to_string(run_away.end)));
   return out;

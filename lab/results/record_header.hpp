@@ -74,9 +74,12 @@ struct RunAwayTruth {
   std::optional<double> expected_ratio;
   std::optional<double> end_s;  ///< test time; empty: still running when the test ended
   RunAwayEnd end = RunAwayEnd::none;
+  /// State of the specimen at the start, in shear; empty: not known.
+  std::optional<double> axial_strain{}, q_pa{}, p_eff_pa{}, pore_pressure_pa{};
 };
 
-/// When and where a simulated specimen itself lost sustainability; no instrument sees this.
+/// When and where a simulated specimen itself lost sustainability; no instrument sees this. The
+/// start of its first runaway is the true loss of control.
 struct Truth {
   bool lost_sustainability = false;
   std::optional<double> time_s;

@@ -69,13 +69,18 @@ std::optional<CheckKind> check_kind_from(std::string_view text) {
 
 void Collapse::remove_onset() {
   onset.reset();
-  noticed.reset();
+  onset_detected_at.reset();
   inside_limit_surface.reset();
   if (!limit_stress_ratio || limit_source == kGivenLimit || limit_source == kGivenLimitWithCohesion)
     return;
   limit_stress_ratio.reset();
   limit_intercept_pa.reset();
   limit_source = "unknown";
+}
+
+void Collapse::remove_loss_of_control() {
+  loss_of_control.reset();
+  loss_of_control_detected_at.reset();
 }
 
 /// Gives criteria that were not assessed the reason of the whole.
@@ -89,6 +94,7 @@ void Collapse::withhold(const std::string& reason) {
   judged = false;
   kind = CollapseKind::none;
   remove_onset();
+  remove_loss_of_control();
   second_order_work_normalised.reset();
   second_order_work_error.reset();
   strength_lost.reset();
@@ -103,6 +109,7 @@ void Collapse::end_at(std::optional<std::int64_t> last, const std::string& reaso
   if (ended && last && (!judged_until || *judged_until <= *last)) return;
   judged = judged && last && detected();
   if (!judged) remove_onset();
+  if (!last) remove_loss_of_control();
   judged_until = last;
   judged_until_reason = reason;
   for (Criterion& c : criteria)

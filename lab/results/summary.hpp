@@ -56,7 +56,7 @@ struct Event {
   EventKind kind = EventKind::stage_started;
   std::string detail;  ///< one sentence with numbers and units
   /// When it was known; empty: not told, or only when the record had ended.
-  std::optional<Moment> noticed{};
+  std::optional<Moment> detected_at{};
 };
 
 /// Where a value lies with 95 % confidence.
@@ -65,10 +65,23 @@ struct Interval {
   bool holds(double value) const { return low <= value && value <= high; }
 };
 
-/// Where the stresses at an instant lie (lab/collapse/onset_error.hpp). η has its own: the errors
+/// Where the stresses at an instant lie (lab/collapse/stress_span.hpp). η has its own: the errors
 /// of q and p′ are not independent.
 struct StressInterval {
   Interval q_pa, p_eff_pa, eta;
+};
+
+struct UncertaintySource {
+  std::string name;
+  double share = 0;  ///< of the variance of η
+};
+
+/// Interval of repeatability (noise, resolution, place of the onset) plus the errors that all
+/// readings share: zero, gain and linearity of the instruments, dimensions, compliance of the pore
+/// fluid.
+struct TotalUncertainty {
+  StressInterval interval;
+  std::vector<UncertaintySource> budget;  ///< largest share first
 };
 
 /// One instant of the test.
@@ -79,8 +92,11 @@ struct Instant {
   std::optional<double> q_pa;
   std::optional<double> p_eff_pa;
   std::optional<double> pore_pressure_pa;
-  /// Of an onset: the error of the measured state and of its place. Empty: not known.
+  /// Repeatability of an onset or a loss of control: the error of the measured state and of its
+  /// place. Empty: not known.
   std::optional<StressInterval> interval{};
+  /// Of an onset. Empty: not known.
+  std::optional<TotalUncertainty> total{};
   std::optional<double> eta() const {
     if (!q_pa || !p_eff_pa || *p_eff_pa == 0) return std::nullopt;
     return *q_pa / *p_eff_pa;
@@ -99,7 +115,7 @@ struct Criterion {
   std::optional<double> eta;
   std::string evidence;  ///< one sentence with numbers and units
   /// When that was known; empty: nothing was found, or only when the record had ended.
-  std::optional<Moment> noticed{};
+  std::optional<Moment> detected_at{};
 };
 
 struct Consolidation {
@@ -162,11 +178,18 @@ struct Collapse {
   CollapseKind kind = CollapseKind::none;
   /// Empty: unknown; true only if the friction angle of the limit was given.
   std::optional<bool> inside_limit_surface;
-  /// Of the collapse; where kind is none, of a failure: strength lost on the limit surface, or with
-  /// the drainage open.
+  /// Onset of instability: the first state at which the second-order work of the specimen along the
+  /// imposed path becomes negative and stays negative. Where kind is none, of a failure: strength
+  /// lost on the limit surface, or with the drainage open.
   std::optional<Instant> onset;
   /// When the collapse (a failure is none) was first known; empty: only when the record had ended.
-  std::optional<Moment> noticed;
+  std::optional<Moment> onset_detected_at;
+  /// The reading from which the loading programme can no longer be maintained with its control
+  /// variables (Nova): under load or held q, the start of a runaway. Under displacement control
+  /// there is none unless p′ or q reaches zero. Independent of `kind` and of the onset.
+  std::optional<Instant> loss_of_control;
+  /// When it was known; empty: only when the record had ended, or there is none.
+  std::optional<Moment> loss_of_control_detected_at;
   /// Where these levels were said first without having been taken back since.
   std::optional<Forecast> approaching, imminent;
   std::optional<double> second_order_work_normalised;  ///< at the first significant window (or the
@@ -197,8 +220,9 @@ struct Collapse {
 
  private:
   void explain(const std::string& reason);
-  /// With it goes a limit that only the failure at the onset had shown.
+  /// Removes also a limit that only the failure at the onset had shown.
   void remove_onset();
+  void remove_loss_of_control();
 };
 
 struct CycleInstant {

@@ -153,7 +153,7 @@ class SessionRun {
   AlarmListener alarm_listener();
   void take(const Reading& reading);
   void report_event(Event event) {
-    if (!ended_) event.noticed = last_reading_;
+    if (!ended_) event.detected_at = last_reading_;
     notify(listeners_, &SessionListener::happened, event);
   }
   void report_rig_events() {
@@ -272,7 +272,7 @@ void SessionRun::watch_fall(const State& state) {
                     .time_s = fall->instant.time_s,
                     .kind = EventKind::lost,
                     .detail = fall->evidence,
-                    .noticed = last_reading_};
+                    .detected_at = last_reading_};
   if (!lost_) lost_ = event;
   report_event(event);
 }
@@ -305,15 +305,17 @@ void SessionRun::ask_guard(const State& state) {
 /// A collapse that came with the fall was known with it, whatever it took to judge it.
 void SessionRun::know_the_fall(Collapse& collapse) const {
   if (!lost_) return;
-  const auto earlier = [&](std::optional<Moment>& noticed) {
-    if (!noticed || lost_->noticed->reading < noticed->reading) noticed = lost_->noticed;
+  const auto earlier = [&](std::optional<Moment>& known) {
+    if (!known || lost_->detected_at->reading < known->reading) known = lost_->detected_at;
   };
-  const auto knew = [&](std::int64_t reading) { return reading <= lost_->noticed->reading; };
+  const auto knew = [&](std::int64_t reading) { return reading <= lost_->detected_at->reading; };
   if (collapse.detected() && collapse.onset && knew(collapse.onset->reading))
-    earlier(collapse.noticed);
+    earlier(collapse.onset_detected_at);
+  if (collapse.loss_of_control && knew(collapse.loss_of_control->reading))
+    earlier(collapse.loss_of_control_detected_at);
   for (Criterion& one : collapse.criteria)
     if (one.name == LossOfControl::kName && one.found() && one.reading && knew(*one.reading))
-      earlier(one.noticed);
+      earlier(one.detected_at);
 }
 
 /// Tells of the first of impossible states in a row.

@@ -143,7 +143,7 @@ Table criteria_table(const db::StoredTest& test) {
         {spaced(criterion.name), detected_word(criterion),
          criterion.reading ? fmt::format("{}", *criterion.reading) : kUnknown,
          duration(criterion.time_s), number(criterion.eta, 2),
-         criterion.noticed ? fmt::format("{}", criterion.noticed->reading) : kUnknown,
+         criterion.detected_at ? fmt::format("{}", criterion.detected_at->reading) : kUnknown,
          criterion.evidence});
   return table;
 }
@@ -159,11 +159,11 @@ Table events_table(const db::StoredTest& test) {
               {}};
   for (const lab::Event& event : test.events) {
     if (event.kind == lab::EventKind::stage_started) continue;
-    const auto& noticed = event.noticed;
-    table.rows.push_back({spaced(std::string(to_string(event.kind))),
-                          fmt::format("{}", event.reading), duration(event.time_s),
-                          noticed ? fmt::format("{}", noticed->reading) : kUnknown,
-                          duration(noticed ? noticed->time_s : std::nullopt), event.detail});
+    const auto& detected_at = event.detected_at;
+    table.rows.push_back(
+        {spaced(std::string(to_string(event.kind))), fmt::format("{}", event.reading),
+         duration(event.time_s), detected_at ? fmt::format("{}", detected_at->reading) : kUnknown,
+         duration(detected_at ? detected_at->time_s : std::nullopt), event.detail});
   }
   return table;
 }

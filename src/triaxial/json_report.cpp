@@ -144,15 +144,15 @@ void put_interval(Json& object, const std::optional<lab::Instant>& at) {
 Json criteria_json(const std::vector<lab::Criterion>& criteria) {
   Json list = Json::array();
   for (const auto& criterion : criteria) {
-    const auto& noticed = criterion.noticed;
+    const auto& detected_at = criterion.detected_at;
     list.push_back(
         {{"name", criterion.name},
          {"detected", maybe(criterion.detected)},
          {"reading", maybe(criterion.reading)},
          {"time_s", study::json_number(criterion.time_s)},
          {"eta", study::json_number(criterion.eta)},
-         {"noticed_reading", noticed ? Json(noticed->reading) : Json(nullptr)},
-         {"noticed_time_s", study::json_number(noticed ? noticed->time_s : std::nullopt)},
+         {"noticed_reading", detected_at ? Json(detected_at->reading) : Json(nullptr)},
+         {"noticed_time_s", study::json_number(detected_at ? detected_at->time_s : std::nullopt)},
          {"evidence", study::json_text(criterion.evidence)}});
   }
   return list;
@@ -191,7 +191,7 @@ Json collapse_json(const db::StoredTest& test) {
   object["inside_limit_surface"] = maybe(collapse.inside_limit_surface);
   put_instant(object, collapse.onset);
   put_interval(object, collapse.onset);
-  object["noticed"] = study::moment_json(collapse.noticed);
+  object["noticed"] = study::moment_json(collapse.onset_detected_at);
   object["warning"] = {{"approaching", study::forecast_json(collapse.approaching)},
                        {"imminent", study::forecast_json(collapse.imminent)}};
   object["reading_itself"] = reading_itself_json(test);

@@ -127,8 +127,8 @@ std::string onset_line(const study::LiveAccount& account) {
 }
 
 std::string lost_line(const lab::Collapse& collapse, const lab::Instant& onset) {
-  if (!collapse.noticed) return "not detected before the end of the record";
-  const lab::Moment& at = *collapse.noticed;
+  if (!collapse.onset_detected_at) return "not detected before the end of the record";
+  const lab::Moment& at = *collapse.onset_detected_at;
   std::optional<double> time_s;
   if (at.time_s && onset.time_s) time_s = *onset.time_s - *at.time_s;
   return fmt::format("detected at reading {}, {}", at.reading,

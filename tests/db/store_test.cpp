@@ -95,14 +95,14 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   summary.collapse.inside_limit_surface = true;
   summary.collapse.onset = lab::Instant{5, 0.5, 0.0052, 56.4e3, std::nullopt, 521e3};
   summary.collapse.onset->interval = {{55e3, 57.5e3}, {90e3, 110e3}, {0.55, 0.61}};
-  summary.collapse.noticed = lab::Moment{8, 0.8};
+  summary.collapse.onset_detected_at = lab::Moment{8, 0.8};
   summary.collapse.second_order_work_normalised = -0.4;
   summary.collapse.second_order_work_error = 0.05;
   summary.collapse.limit_stress_ratio = 1.29;
   summary.collapse.limit_source = "specimen's friction angle";
   summary.collapse.criteria = {{"second_order_work", true, 5, 0.5, 0.58, "fell to -0.4"},
                                {"loss_of_control", false, {}, {}, {}, ""}};
-  summary.collapse.criteria[0].noticed = lab::Moment{7, std::nullopt};
+  summary.collapse.criteria[0].detected_at = lab::Moment{7, std::nullopt};
   summary.truth = lab::Truth{true, 0.45, 0.00515, 56.45e3, 97.1e3, std::nullopt, {}};
   summary.truth->run_aways = {
       {0.45, 2.5e-3, 0.6, 1e-6, -3e-6, 0.7, 0.75, lab::RunAwayEnd::new_equilibrium},
@@ -201,13 +201,13 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   CHECK(back.collapse.criteria[0].evidence == "fell to -0.4");
   CHECK(back.collapse.criteria[0].eta == 0.58);
   CHECK_FALSE(back.collapse.criteria[1].reading);
-  REQUIRE(back.collapse.criteria[0].noticed);
-  CHECK(back.collapse.criteria[0].noticed->reading == 7);
-  CHECK_FALSE(back.collapse.criteria[0].noticed->time_s);
-  CHECK_FALSE(back.collapse.criteria[1].noticed);
-  REQUIRE(back.collapse.noticed);
-  CHECK(back.collapse.noticed->reading == 8);
-  CHECK(back.collapse.noticed->time_s == 0.8);
+  REQUIRE(back.collapse.criteria[0].detected_at);
+  CHECK(back.collapse.criteria[0].detected_at->reading == 7);
+  CHECK_FALSE(back.collapse.criteria[0].detected_at->time_s);
+  CHECK_FALSE(back.collapse.criteria[1].detected_at);
+  REQUIRE(back.collapse.onset_detected_at);
+  CHECK(back.collapse.onset_detected_at->reading == 8);
+  CHECK(back.collapse.onset_detected_at->time_s == 0.8);
   REQUIRE(back.collapse.onset->interval);
   CHECK(back.collapse.onset->interval->q_pa.low == Approx(55e3));
   CHECK(back.collapse.onset->interval->q_pa.high == Approx(57.5e3));
@@ -215,9 +215,9 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   CHECK(back.collapse.onset->interval->p_eff_pa.high == Approx(110e3));
   CHECK(back.collapse.onset->interval->eta.low == 0.55);
   CHECK(back.collapse.onset->interval->eta.high == 0.61);
-  REQUIRE(test.events.back().noticed);
-  CHECK(test.events.back().noticed->reading == 9);
-  CHECK(test.events.back().noticed->time_s == 0.9);
+  REQUIRE(test.events.back().detected_at);
+  CHECK(test.events.back().detected_at->reading == 9);
+  CHECK(test.events.back().detected_at->time_s == 0.9);
   CHECK(back.truth->lost_sustainability);
   CHECK(back.truth->time_s == 0.45);
   CHECK_FALSE(back.truth->pore_pressure_pa);

@@ -16,6 +16,13 @@ void copy_comparison(const sim::RunAway& from, RunAwayTruth& to) {
   if (std::isfinite(from.expected_ratio())) to.expected_ratio = from.expected_ratio();
 }
 
+void copy_state(const Truth& from, RunAwayTruth& to) {
+  to.axial_strain = from.axial_strain;
+  to.q_pa = from.q_pa;
+  to.p_eff_pa = from.p_eff_pa;
+  to.pore_pressure_pa = from.pore_pressure_pa;
+}
+
 RunAwayEnd ending(sim::RunAway::End end) {
   switch (end) {
     case sim::RunAway::End::arrested:
@@ -30,13 +37,15 @@ RunAwayEnd ending(sim::RunAway::End end) {
 
 }  // namespace
 
-std::string RunAwayLog::watch(double time_s, const sim::SpecimenState& state) {
+std::string RunAwayLog::watch(double time_s, const sim::SpecimenState& state,
+                              const std::optional<Truth>& start) {
   const sim::RunAway& now = state.run_away;
   const bool began = now.count != seen_;
   seen_ = now.count;
   if (began) {
     follows_ = all_.size() < kMost;
     if (follows_) all_.push_back({.start_s = time_s - now.elapsed_s});
+    if (follows_ && start) copy_state(*start, all_.back());
     running_ = true;
   }
   if (!running_) return {};

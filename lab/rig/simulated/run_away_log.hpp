@@ -13,9 +13,11 @@ class RunAwayLog {
   /// More than so many are not kept: a specimen that slips again and again.
   static constexpr std::size_t kMost = 100;
 
-  /// The state after the tick that ended at `time_s`. Returns a sentence where a run-away began or
-  /// ended in it, else nothing.
-  std::string watch(double time_s, const sim::SpecimenState& state);
+  /// The state after the tick that ended at `time_s`. `start`: the state in which a runaway that
+  /// began in it did so; empty: not known. Returns a sentence where a run-away began or ended in
+  /// it, else nothing.
+  std::string watch(double time_s, const sim::SpecimenState& state,
+                    const std::optional<Truth>& start = {});
   const std::vector<RunAwayTruth>& all() const { return all_; }
 
  private:

@@ -20,9 +20,10 @@ void TruthLog::add_work(const TrueStep& one) {
 std::string TruthLog::add_run_away(const TrueStep& one) {
   const sim::SpecimenState& after = one.step.state;
   const double end_s = one.time_s + one.dt_s;
-  if (one.sheared && after.run_away.count != one.before.run_away.count)
+  const bool began = one.sheared && after.run_away.count != one.before.run_away.count;
+  if (began)
     lost_ = lost_equilibrium(end_s - after.run_away.elapsed_s, one.before, one.height_at_shear_m);
-  return run_aways_.watch(end_s, after);
+  return run_aways_.watch(end_s, after, began ? lost_ : std::nullopt);
 }
 
 Truth TruthLog::truth(const sim::SpecimenState& last) const {

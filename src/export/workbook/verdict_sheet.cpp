@@ -109,7 +109,8 @@ void write_verdict(Sheet& sheet, const db::StoredTest& test, const TestContent& 
     rows.number("second_order_work_normalised", c.second_order_work_normalised);
     rows.number("second_order_work_error", c.second_order_work_error);
     rows.number("fraction of strength lost", c.strength_lost);
-    if (c.noticed) rows.number("detection reading", static_cast<double>(c.noticed->reading));
+    if (c.onset_detected_at)
+      rows.number("detection reading", static_cast<double>(c.onset_detected_at->reading));
     if (c.nearest && !c.detected()) {
       rows.number("least second_order_work_normalised", c.nearest->normalised);
       rows.number("at reading", static_cast<double>(c.nearest->reading));

@@ -26,7 +26,7 @@ LiveWatch::Seen::Seen(const std::string& db, std::int64_t test, LiveFeed& feed) 
   next = std::max<std::int64_t>(store.scan_count(test) - kTail, 0);
   if (next > 0) feed.begin_behind(next - 1);
   const auto first = std::ranges::find_if(stored.events, [this](const lab::Event& event) {
-    return event.noticed && event.noticed->reading >= next;
+    return event.detected_at && event.detected_at->reading >= next;
   });
   events = static_cast<std::size_t>(first - stored.events.begin());
   forecasts = store.forecasts(test).size();

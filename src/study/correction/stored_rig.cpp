@@ -61,8 +61,8 @@ std::vector<lab::Event> StoredRig::events() {
   std::vector<lab::Event> due;
   for (; next_event_ < events_.size(); ++next_event_) {
     const lab::Event& event = events_[next_event_];
-    const auto noticed_at = event.noticed ? event.noticed->reading : event.reading;
-    if (!over_ && noticed_at >= drawn_) break;
+    const auto known_at = event.detected_at ? event.detected_at->reading : event.reading;
+    if (!over_ && known_at >= drawn_) break;
     due.push_back(event);
   }
   return due;

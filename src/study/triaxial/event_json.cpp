@@ -29,12 +29,12 @@ Json forecast_json(const std::optional<lab::Forecast>& forecast) {
 }
 
 Json event_json(const lab::Event& event) {
-  const auto& noticed = event.noticed;
+  const auto& detected_at = event.detected_at;
   return {{"kind", to_string(event.kind)},
           {"reading", event.reading},
           {"time_s", json_number(event.time_s)},
-          {"noticed_reading", noticed ? Json(noticed->reading) : Json(nullptr)},
-          {"noticed_time_s", json_number(noticed ? noticed->time_s : std::nullopt)},
+          {"noticed_reading", detected_at ? Json(detected_at->reading) : Json(nullptr)},
+          {"noticed_time_s", json_number(detected_at ? detected_at->time_s : std::nullopt)},
           {"detail", event.detail}};
 }
 

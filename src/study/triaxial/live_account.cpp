@@ -72,7 +72,7 @@ void add_forecasts(const std::vector<lab::Forecast>& all, StageSpan span,
 void add_events(const std::vector<lab::Event>& events, const std::vector<lab::Forecast>& all,
                 LiveAccount& account) {
   for (const lab::Event& event : events) {
-    LiveRow row{.said = event.noticed, .stage = {}, .eta = {}, .event = event, .forecast = {}};
+    LiveRow row{.said = event.detected_at, .stage = {}, .eta = {}, .event = event, .forecast = {}};
     const bool of_alarm = event.kind == lab::EventKind::approaching ||
                           event.kind == lab::EventKind::imminent ||
                           event.kind == lab::EventKind::warning_withdrawn;

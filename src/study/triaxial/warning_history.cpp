@@ -47,8 +47,8 @@ std::optional<WarningMarkKind> mark_of(lab::EventKind kind) {
 std::vector<Found> marks_found(const TestResult& test, const Along& along) {
   std::vector<Found> found;
   for (const lab::Event& event : test.stored.events)
-    if (const auto kind = mark_of(event.kind); kind && event.noticed)
-      found.push_back({along.at(event.noticed->reading, event.noticed->time_s), *kind});
+    if (const auto kind = mark_of(event.kind); kind && event.detected_at)
+      found.push_back({along.at(event.detected_at->reading, event.detected_at->time_s), *kind});
   if (const auto onset = collapse_onset(test.stored))
     found.push_back({along.at(*onset), WarningMarkKind::onset});
   if (const auto failure = failure_onset(test.stored))

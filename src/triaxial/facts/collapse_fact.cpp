@@ -49,11 +49,12 @@ std::string interval_line(const lab::StressInterval& at) {
 
 std::string noticed_line(const db::StoredTest& test) {
   const lab::Collapse& collapse = test.summary.collapse;
-  if (!collapse.noticed) return "not before the record ended";
-  std::string line = fmt::format("at reading {}", collapse.noticed->reading);
-  if (collapse.noticed->time_s) line += ", " + duration(collapse.noticed->time_s);
+  if (!collapse.onset_detected_at) return "not before the record ended";
+  std::string line = fmt::format("at reading {}", collapse.onset_detected_at->reading);
+  if (collapse.onset_detected_at->time_s)
+    line += ", " + duration(collapse.onset_detected_at->time_s);
   if (!collapse.onset) return line;
-  const std::int64_t after = collapse.noticed->reading - collapse.onset->reading;
+  const std::int64_t after = collapse.onset_detected_at->reading - collapse.onset->reading;
   return line + (after == 1 ? std::string("; one reading after the onset")
                             : fmt::format("; {} readings after the onset", after));
 }

@@ -32,6 +32,21 @@ TEST_CASE("a clean peak is a flow collapse with its onset at the peak") {
   CHECK(*c.second_order_work_normalised < 0);
 }
 
+TEST_CASE("CollapseMonitor: displacement is controlled until q is gone", "[collapse]") {
+  CHECK_FALSE(judge({}, 5000).loss_of_control);  // a twentieth of q stays
+  SyntheticPath path;
+  path.residual = 0;
+  const Collapse c = judge(path, 5000);
+  REQUIRE(c.onset);
+  CHECK(std::abs(c.onset->reading - 600) <= 3);
+  REQUIRE(c.loss_of_control);
+  const auto at = static_cast<double>(c.loss_of_control->reading);
+  CHECK(path.q(at * path.strain_step) <= 0.01 * path.q_peak);
+  CHECK(path.q((at - 2) * path.strain_step) > 0.01 * path.q_peak);
+  REQUIRE(c.loss_of_control_detected_at);
+  CHECK(c.loss_of_control_detected_at->reading == c.loss_of_control->reading + 2);
+}
+
 TEST_CASE("a peak that is over before the first window is full is the onset, not its middle") {
   SyntheticPath path;
   path.strain_step =
@@ -82,13 +97,13 @@ TEST_CASE("a collapse is known when a tenth of q is lost, at the reading taken b
     if (first < 0 && i % 8 == 0 && monitor.so_far().detected()) first = i + 20;
   }
   const Collapse c = monitor.finish();
-  REQUIRE(c.noticed);
-  CHECK(std::abs(c.noticed->reading - first) <= 8);
-  CHECK(c.noticed->time_s == static_cast<double>(c.noticed->reading));
-  REQUIRE(c.criteria[0].noticed);
-  CHECK(c.criteria[0].noticed->reading == c.noticed->reading);
-  CHECK_FALSE(c.criteria[1].noticed);
-  REQUIRE(c.criteria[2].noticed);
+  REQUIRE(c.onset_detected_at);
+  CHECK(std::abs(c.onset_detected_at->reading - first) <= 8);
+  CHECK(c.onset_detected_at->time_s == static_cast<double>(c.onset_detected_at->reading));
+  REQUIRE(c.criteria[0].detected_at);
+  CHECK(c.criteria[0].detected_at->reading == c.onset_detected_at->reading);
+  CHECK_FALSE(c.criteria[1].detected_at);
+  REQUIRE(c.criteria[2].detected_at);
 }
 
 TEST_CASE("what only the end of the record shows was never noticed") {
@@ -98,8 +113,8 @@ TEST_CASE("what only the end of the record shows was never noticed") {
   for (int i = 0; i < 5000; ++i) monitor.watch(path.state(i), std::nullopt);
   const Collapse c = monitor.finish();
   CHECK(c.detected());
-  CHECK_FALSE(c.noticed);
-  CHECK_FALSE(c.criteria[0].noticed);
+  CHECK_FALSE(c.onset_detected_at);
+  CHECK_FALSE(c.criteria[0].detected_at);
 }
 
 TEST_CASE("what was found so far can be asked for at any time, and changes nothing") {

@@ -74,8 +74,8 @@ TEST_CASE("a leap of the strain under a load is a runaway, whatever q does after
       REQUIRE(c.onset);
       CHECK(c.onset->reading == onset);
       CHECK(c.onset->interval);  // though the watch began anew
-      REQUIRE(c.noticed);
-      CHECK(c.noticed->reading == onset + 1);
+      REQUIRE(c.onset_detected_at);
+      CHECK(c.onset_detected_at->reading == onset + 1);
       CHECK(*c.strength_lost == Approx(leap).epsilon(0.1));
       CHECK(control_of(c).found());
       CHECK_THAT(control_of(c).evidence, Catch::Contains("recovered to"));

@@ -360,15 +360,75 @@ TEST_CASE("a verdict is known when the first of what it rests on was") {
                   .noticed = Moment{40, 4.0}};
   const Collapse both =
       assess({.worst = lost, .loss_of_control = control, .points = 50, .limit = limit});
-  REQUIRE(both.noticed);
-  CHECK(both.noticed->reading == 40);
-  CHECK(both.criteria[1].noticed->reading == 40);
+  REQUIRE(both.onset_detected_at);
+  CHECK(both.onset_detected_at->reading == 40);
+  CHECK(both.criteria[1].detected_at->reading == 40);
   REQUIRE(both.onset->interval);
   CHECK(both.onset->interval->q_pa.holds(100e3));
   const Collapse one = assess({.worst = lost, .points = 50, .limit = limit});
-  CHECK(one.noticed->reading == 70);
+  CHECK(one.onset_detected_at->reading == 70);
   lost.noticed.reset();
-  CHECK_FALSE(assess({.worst = lost, .points = 50, .limit = limit}).noticed);
-  CHECK_FALSE(
-      assess({.worst = descent(100e3, 150e3, 1e3, 99e3), .points = 50, .limit = limit}).noticed);
+  CHECK_FALSE(assess({.worst = lost, .points = 50, .limit = limit}).onset_detected_at);
+  CHECK_FALSE(assess({.worst = descent(100e3, 150e3, 1e3, 99e3), .points = 50, .limit = limit})
+                  .onset_detected_at);
+}
+
+TEST_CASE("verdict: the loss of control is reported beside an earlier onset", "[collapse]") {
+  const LimitSurface limit = sand();
+  Descent turned = descent(100e3, 150e3, 95e3, 6e3);
+  turned.noticed = Moment{90, 9.0};
+  const Finding runaway{.instant = {.reading = 80,
+                                    .time_s = 8.0,
+                                    .axial_strain = 0.02,
+                                    .q_pa = 98e3,
+                                    .p_eff_pa = 120e3,
+                                    .interval = as_interval(98e3, 120e3)},
+                        .evidence = "burst",
+                        .noticed = Moment{82, 8.2}};
+  const Collapse c =
+      assess({.at_held_q = turned, .loss_of_control = runaway, .points = 50, .limit = limit});
+  CHECK(c.onset->reading == 10);
+  REQUIRE(c.loss_of_control);
+  CHECK(c.loss_of_control->reading == 80);
+  CHECK(c.loss_of_control->q_pa == 98e3);
+  REQUIRE(c.loss_of_control->interval);
+  CHECK(c.loss_of_control->interval->q_pa.holds(98e3));
+  REQUIRE(c.loss_of_control_detected_at);
+  CHECK(c.loss_of_control_detected_at->reading == 82);
+}
+
+TEST_CASE("verdict: no loss of control without a runaway", "[collapse]") {
+  const LimitSurface limit = sand();
+  const Collapse c =
+      assess({.worst = descent(100e3, 150e3, 95e3, 6e3), .points = 50, .limit = limit});
+  CHECK(c.detected());
+  CHECK_FALSE(c.loss_of_control);
+  CHECK_FALSE(c.loss_of_control_detected_at);
+}
+
+TEST_CASE("verdict: a runaway on the limit surface is still a loss of control", "[collapse]") {
+  const LimitSurface limit = sand();
+  const Finding runaway{.instant = {.reading = 80, .q_pa = 194e3, .p_eff_pa = 150e3},
+                        .evidence = "burst"};
+  const Collapse c = assess({.loss_of_control = runaway, .points = 50, .limit = limit});
+  CHECK(c.kind == CollapseKind::none);
+  REQUIRE(c.loss_of_control);
+  CHECK(c.loss_of_control->reading == 80);
+  CHECK_FALSE(c.loss_of_control_detected_at);
+}
+
+TEST_CASE("verdict: stress that vanished counts unless there was a runaway", "[collapse]") {
+  const LimitSurface limit = sand();
+  const Finding gone{.instant = {.reading = 95, .q_pa = 0, .p_eff_pa = 1e3}, .evidence = "gone"};
+  const Finding runaway{.instant = {.reading = 80, .q_pa = 90e3, .p_eff_pa = 140e3},
+                        .evidence = "burst"};
+  const Descent d = descent(100e3, 150e3, 95e3, 6e3);
+  CHECK(assess({.worst = d, .zero_stress = gone, .points = 50, .limit = limit})
+            .loss_of_control->reading == 95);
+  CHECK(assess({.worst = d,
+                .loss_of_control = runaway,
+                .zero_stress = gone,
+                .points = 50,
+                .limit = limit})
+            .loss_of_control->reading == 80);
 }

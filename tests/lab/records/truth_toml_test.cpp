@@ -23,7 +23,8 @@ TEST_CASE("run-aways read back to the bit, what is unknown stays empty") {
   truth.time_s = 12.25;
   truth.q_pa = triax::sim::to_si(56.49, *triax::sim::find_unit("kPa"));
   truth.run_aways = {
-      {12.25, 0.1 + 0.2, 12.5, 1e-6, -3.1e-6, 0.67, 12.75, RunAwayEnd::new_equilibrium},
+      {12.25, 0.1 + 0.2, 12.5, 1e-6, -3.1e-6, 0.67, 12.75, RunAwayEnd::new_equilibrium,
+       0.0125, triax::sim::to_si(56.3, *triax::sim::find_unit("kPa")), 97e3, 521e3},
       {40, 2, 41, {}, {}, {}, {}, RunAwayEnd::none}};
   const Truth found = read_back(truth_toml(truth));
   CHECK(found.time_s == 12.25);
@@ -38,6 +39,11 @@ TEST_CASE("run-aways read back to the bit, what is unknown stays empty") {
   CHECK(found.run_aways[0].expected_ratio == 0.67);
   CHECK(found.run_aways[0].end_s == 12.75);
   CHECK(found.run_aways[0].end == RunAwayEnd::new_equilibrium);
+  CHECK(found.run_aways[0].axial_strain == 0.0125);
+  CHECK(found.run_aways[0].q_pa == truth.run_aways[0].q_pa);
+  CHECK(found.run_aways[0].p_eff_pa == 97e3);
+  CHECK(found.run_aways[0].pore_pressure_pa == 521e3);
+  CHECK_FALSE(found.run_aways[1].q_pa);
   CHECK_FALSE(found.run_aways[1].kinetic_energy_j);
   CHECK_FALSE(found.run_aways[1].end_s);
   CHECK(found.run_aways[1].end == RunAwayEnd::none);

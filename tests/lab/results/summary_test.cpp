@@ -53,6 +53,21 @@ TEST_CASE("an instant has a stress ratio and an angle where they exist") {
   CHECK_FALSE(instant.phi_mob_rad());
 }
 
+TEST_CASE("Collapse: a loss of control outlives an end, but not that all is unknown", "[results]") {
+  Collapse seen;
+  seen.loss_of_control = Instant{.reading = 80};
+  seen.loss_of_control_detected_at = Moment{82, {}};
+  Collapse at_end = seen, withheld = seen, unknown = seen;
+  at_end.end_at(60, "a sensor");
+  REQUIRE(at_end.loss_of_control);
+  CHECK(at_end.loss_of_control_detected_at->reading == 82);
+  withheld.withhold("contradiction");
+  CHECK_FALSE(withheld.loss_of_control);
+  CHECK_FALSE(withheld.loss_of_control_detected_at);
+  unknown.end_at({}, "a dead sensor");
+  CHECK_FALSE(unknown.loss_of_control);
+}
+
 TEST_CASE("of two ends of a judgement the earlier stands, with its reason") {
   Collapse c;
   c.end_at(200, "a loss");

@@ -196,22 +196,22 @@ TEST_CASE("what happened and what was found are known at the last reading taken 
   listener.scanned = [&](const Reading& r, const State&) { last = r.number; };
   listener.happened = [&](const Event& event) {
     if (event.kind == EventKind::stage_started) {
-      REQUIRE(event.noticed);
-      CHECK(event.noticed->reading == event.reading);
+      REQUIRE(event.detected_at);
+      CHECK(event.detected_at->reading == event.reading);
     }
     if (event.kind != EventKind::loss_of_sustainability) return;
     ++losses;
-    REQUIRE(event.noticed);
-    CHECK(event.noticed->reading == last);
-    CHECK(event.noticed->reading > event.reading);
+    REQUIRE(event.detected_at);
+    CHECK(event.detected_at->reading == last);
+    CHECK(event.detected_at->reading > event.reading);
   };
   const TestSummary summary = run_session(rig, {}, {listener});
   CHECK(losses == 1);
   const Collapse& c = summary.collapse;
   REQUIRE(c.detected());
-  REQUIRE(c.noticed);
-  CHECK(c.noticed->reading > c.onset->reading);
-  CHECK(c.noticed->reading < 2999);
+  REQUIRE(c.onset_detected_at);
+  CHECK(c.onset_detected_at->reading > c.onset->reading);
+  CHECK(c.onset_detected_at->reading < 2999);
   REQUIRE(c.onset->interval);
   CHECK(c.onset->interval->eta.holds(*c.onset->eta()));
 }

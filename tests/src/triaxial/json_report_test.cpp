@@ -136,8 +136,8 @@ TEST_CASE("the interval of the onset and when it was known are told, and null wh
   CHECK(none["criteria"][0]["noticed_time_s"].is_null());
 
   collapse.onset->interval = {{58e3, 61e3}, {96e3, 104e3}, {0.57, 0.62}};
-  collapse.noticed = triax::lab::Moment{330, 33.0};
-  collapse.criteria[0].noticed = triax::lab::Moment{340, std::nullopt};
+  collapse.onset_detected_at = triax::lab::Moment{330, 33.0};
+  collapse.criteria[0].detected_at = triax::lab::Moment{340, std::nullopt};
   const json c = json::parse(json_report({test}))["collapse"];
   CHECK(c["eta_low"] == 0.57);
   CHECK(c["eta_high"] == 0.62);

@@ -61,7 +61,7 @@ TEST_CASE("what was said stands in lines of a hundred columns, with units and wo
                  {2, 2, lab::EventKind::warning_withdrawn, "", {}}};
   study::LiveAccount a = account();
   a.onset = test.summary.collapse.onset;
-  test.summary.collapse.noticed = lab::Moment{330, 33.0};
+  test.summary.collapse.onset_detected_at = lab::Moment{330, 33.0};
   test.summary.collapse.imminent = forecast(lab::Quantity::axial_strain, 0.00059);
   a.imminent = study::LiveLead{*test.summary.collapse.imminent, 10, 1.0};
   const std::string text = src::live_text(test, a);

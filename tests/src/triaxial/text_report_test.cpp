@@ -69,8 +69,8 @@ TEST_CASE("beside an onset stands where it lies with 95 %, and when it was known
   CHECK(holds(text_report({test}), "Detected not before the record ended"));
   auto& collapse = test.stored.summary.collapse;
   collapse.onset->interval = {{58e3, 61e3}, {96e3, 104e3}, {0.57, 0.62}};
-  collapse.noticed = triax::lab::Moment{330, 33.0};
-  collapse.criteria[0].noticed = triax::lab::Moment{340, std::nullopt};
+  collapse.onset_detected_at = triax::lab::Moment{330, 33.0};
+  collapse.criteria[0].detected_at = triax::lab::Moment{340, std::nullopt};
   test.stored.events = {{301, 30.1, triax::lab::EventKind::loss_of_sustainability, "q fell away",
                          triax::lab::Moment{335, 33.5}}};
   const std::string text = text_report({test});

@@ -13,7 +13,9 @@ TEST_CASE("a run-away is told at its start and at its end, with what it came to"
   state.run_away.count = 1;
   state.run_away.under_way = true;
   state.run_away.elapsed_s = 0.1;
-  CHECK_THAT(log.watch(20, state), Contains("equilibrium lost at 19.9"));
+  const lab::Truth start{
+      .axial_strain = 0.02, .q_pa = 60e3, .p_eff_pa = 90e3, .pore_pressure_pa = 510e3};
+  CHECK_THAT(log.watch(20, state, start), Contains("equilibrium lost at 19.9"));
   REQUIRE(log.all().size() == 1);
   CHECK_FALSE(log.all()[0].end_s);
   CHECK_FALSE(log.all()[0].kinetic_energy_j);
@@ -30,6 +32,10 @@ TEST_CASE("a run-away is told at its start and at its end, with what it came to"
   CHECK_THAT(log.watch(20.25, state), Contains("0.5 J") && Contains("new equilibrium"));
   const lab::RunAwayTruth& truth = log.all()[0];
   CHECK(truth.start_s == Approx(19.9));
+  CHECK(truth.axial_strain == 0.02);
+  CHECK(truth.q_pa == 60e3);
+  CHECK(truth.p_eff_pa == 90e3);
+  CHECK(truth.pore_pressure_pa == 510e3);
   CHECK(*truth.end_s == Approx(20.15));
   CHECK(truth.largest_at_s == Approx(20.1));
   CHECK(*truth.kinetic_energy_j == Approx(1e-4));
@@ -39,7 +45,8 @@ TEST_CASE("a run-away is told at its start and at its end, with what it came to"
   CHECK(log.watch(21, state).empty());
   state.run_away.count = 2;
   CHECK_THAT(log.watch(30, state), Contains("runaway of the cap"));
-  CHECK(log.all().size() == 2);
+  REQUIRE(log.all().size() == 2);
+  CHECK_FALSE(log.all()[1].q_pa);
 }
 
 TEST_CASE("a specimen that slips without end does not fill the memory") {

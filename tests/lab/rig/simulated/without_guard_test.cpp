@@ -33,7 +33,7 @@ TEST_CASE("what a guard was good for: the same test with and without it") {
   const auto event = std::ranges::find(events, EventKind::guarded, &Event::kind);
   REQUIRE(event != events.end());
   CHECK(event->reading == guard.at.reading);
-  CHECK(event->noticed->reading == guard.at.reading);
+  CHECK(event->detected_at->reading == guard.at.reading);
   CHECK_THAT(event->detail, Contains("on imminent: switched") && Contains("second-order work"));
   // 16.8 % is where the fall ends at the stop.
   REQUIRE(guard.without);
@@ -62,9 +62,9 @@ TEST_CASE(
     const double fall_s = summary.truth->run_aways.back().start_s;
     const auto first = std::ranges::upper_bound(times, fall_s) - times.begin();
     // A reading that is the mean of what was before and after the fall shows little of it.
-    CHECK(lost[0].noticed->reading <= first + 2);
-    CHECK(lost[0].noticed->reading == lost[0].reading + 2);
-    REQUIRE(summary.collapse.noticed);
-    CHECK(summary.collapse.noticed->reading <= lost[0].noticed->reading);
+    CHECK(lost[0].detected_at->reading <= first + 2);
+    CHECK(lost[0].detected_at->reading == lost[0].reading + 2);
+    REQUIRE(summary.collapse.onset_detected_at);
+    CHECK(summary.collapse.onset_detected_at->reading <= lost[0].detected_at->reading);
   }
 }

@@ -168,7 +168,7 @@ TEST_CASE("a test that another program records is told reading by reading, to it
   event.kind = lab::EventKind::loss_of_sustainability;
   event.reading = 12100;
   event.detail = "told late";
-  event.noticed = lab::Moment{12499, {}};
+  event.detected_at = lab::Moment{12499, {}};
   listener.happened(event);
   recorder.finish({});
   const auto rest = taken_until(*feed, cursor, is_over);

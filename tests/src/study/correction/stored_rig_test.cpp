@@ -19,7 +19,7 @@ TEST_CASE("StoredRig: gives readings with their lines, and what the rig reported
   listener.started(header);
   testing::send_scans(listener, 0, kScans);
   listener.happened(
-      {.reading = 3, .kind = lab::EventKind::held, .detail = "h", .noticed = {{3, {}}}});
+      {.reading = 3, .kind = lab::EventKind::held, .detail = "h", .detected_at = {{3, {}}}});
   listener.happened({.reading = 4, .kind = lab::EventKind::lost, .detail = "found by the session"});
   listener.happened({.reading = 9999, .kind = lab::EventKind::run_away, .detail = "at the end"});
   lab::TestSummary summary;

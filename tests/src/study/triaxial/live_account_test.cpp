@@ -28,7 +28,7 @@ class ToldTest {
   std::vector<lab::Event> events = {{.reading = 0,
                                      .kind = lab::EventKind::stage_started,
                                      .detail = "stage 1",
-                                     .noticed = lab::Moment{0, 0.0}}};
+                                     .detected_at = lab::Moment{0, 0.0}}};
   lab::Collapse collapse;
 
   study::LiveAccount account() const {
