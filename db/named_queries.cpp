@@ -13,7 +13,8 @@ const std::vector<NamedQuery>& named_queries() {
       {"collapse_points",
        "the tests that collapsed, as in tables of papers: p'0, e, phi, eta; each file once",
        "SELECT * FROM collapse_points ORDER BY type_of_test, test_id"},
-      {"collapses", "the result of every test, with state and second-order work at onset",
+      {"collapses",
+       "the result of every test, with its onset of instability and its loss of control",
        "SELECT * FROM collapses ORDER BY test_id"},
       {"criteria", "the result of each criterion, with its evidence",
        "SELECT t.id AS test_id, t.name AS test, t.origin, c.name AS criterion, c.detected, "
@@ -28,17 +29,20 @@ const std::vector<NamedQuery>& named_queries() {
        "min(eta) AS eta_min, max(eta) AS eta_max, avg(phi_mob_deg) AS phi_mob_mean_deg "
        "FROM collapse_points WHERE eta IS NOT NULL "
        "GROUP BY type_of_test, sense, origin, kind"},
-      {"truths", "true onset (model) of simulated specimens, and the onset that was found",
+      {"truths",
+       "true onset and loss of control (model) of simulated specimens, and those that were found",
        "SELECT t.id AS test_id, t.name AS test, t.programme, u.lost_sustainability, "
        "u.time_s AS true_time_s, u.q_kPa / u.p_eff_kPa AS true_eta, c.kind AS found, "
-       "c.time_s AS found_time_s, c.eta AS found_eta "
+       "c.time_s AS found_time_s, c.eta AS found_eta, "
+       "r.start_s AS true_loss_of_control_s, c.loss_of_control_time_s AS found_loss_of_control_s "
        "FROM truths u JOIN tests t ON t.id = u.test_id "
+       "LEFT JOIN run_aways r ON r.test_id = t.id AND r.number = 1 "
        "LEFT JOIN collapses c ON c.test_id = t.id ORDER BY t.id"},
       {"run_aways", "runaways of simulated specimens: motion and kinetic energy",
        "SELECT t.id AS test_id, t.name AS test, t.origin, r.number, r.start_s, "
        "r.largest_kinetic_energy_J, r.largest_at_s, r.kinetic_energy_J, r.second_order_work_J, "
        "-2 * r.kinetic_energy_J / r.second_order_work_J AS kinetic_energy_over_half_work, "
-       "r.end_s, r.ending "
+       "r.end_s, r.ending, r.axial_strain, r.q_kPa, r.p_eff_kPa, r.pore_pressure_kPa "
        "FROM run_aways r JOIN tests t ON t.id = r.test_id ORDER BY t.id, r.number"},
       {"sweep", "the tests of every sweep: each varied key with its value, and the result",
        "SELECT r.* FROM sweep_results r JOIN sweep_members m ON m.test_id = r.test_id "

@@ -2,6 +2,7 @@
 #include "db/summary_reader.hpp"
 
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "db/columns.hpp"
 #include "db/test_rows.hpp"
@@ -10,6 +11,17 @@
 namespace triax::db {
 namespace {
 
+lab::Instant read_values(Columns& c) {
+  lab::Instant instant;
+  instant.reading = c.integer().value_or(0);
+  instant.time_s = c.number();
+  instant.axial_strain = c.number();
+  instant.q_pa = c.si("kPa");
+  instant.p_eff_pa = c.si("kPa");
+  instant.pore_pressure_pa = c.si("kPa");
+  return instant;
+}
+
 std::optional<lab::Instant> read_instant(SQLite::Database& database, std::int64_t id,
                                          std::string_view kind) {
   std::optional<lab::Instant> result;
@@ -17,14 +29,7 @@ std::optional<lab::Instant> read_instant(SQLite::Database& database, std::int64_
            "SELECT kind, reading, time_s, axial_strain, q_kPa, p_eff_kPa, pore_pressure_kPa "
            "FROM instants WHERE test_id = ?",
            [&](Columns& c) {
-             if (c.text() != kind) return;
-             lab::Instant& instant = result.emplace();
-             instant.reading = c.integer().value_or(0);
-             instant.time_s = c.number();
-             instant.axial_strain = c.number();
-             instant.q_pa = c.si("kPa");
-             instant.p_eff_pa = c.si("kPa");
-             instant.pore_pressure_pa = c.si("kPa");
+             if (c.text() == kind) result = read_values(c);
            });
   return result;
 }
@@ -38,16 +43,43 @@ std::optional<lab::StressInterval> read_interval(Columns& c) {
       .q_pa = {*ends[2], *ends[3]}, .p_eff_pa = {*ends[4], *ends[5]}, .eta = {*ends[0], *ends[1]}};
 }
 
+std::optional<lab::TotalUncertainty> read_total(Columns& c) {
+  const auto interval = read_interval(c);
+  const std::string budget = c.text();
+  if (!interval) return std::nullopt;
+  lab::TotalUncertainty total{.interval = *interval, .budget = {}};
+  const auto list = nlohmann::json::parse(budget, nullptr, false);
+  if (!list.is_array()) return total;
+  for (const auto& source : list)
+    if (source.is_object())
+      total.budget.push_back({source.value("name", ""), source.value("share", 0.0)});
+  return total;
+}
+
+void read_loss_of_control(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
+  for_rows(database, id,
+           "SELECT reading, time_s, axial_strain, q_kPa, p_eff_kPa, pore_pressure_kPa, eta_low, "
+           "eta_high, q_low_kPa, q_high_kPa, p_eff_low_kPa, p_eff_high_kPa, detected_at_reading, "
+           "detected_at_time_s FROM losses_of_control WHERE test_id = ?",
+           [&](Columns& c) {
+             collapse.loss_of_control = read_values(c);
+             collapse.loss_of_control->interval = read_interval(c);
+             collapse.loss_of_control_detected_at = read_moment(c);
+           });
+}
+
 void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& collapse) {
   std::optional<lab::StressInterval> interval;
+  std::optional<lab::TotalUncertainty> total;
   for_rows(
       database, id,
       "SELECT kind, inside_limit_surface, second_order_work_normalised, second_order_work_error, "
       "limit_stress_ratio, limit_source, judged_until_reading, judged_until_reason, "
       "judged_from_reading, strength_lost, eta_low, eta_high, q_low_kPa, q_high_kPa, "
       "p_eff_low_kPa, p_eff_high_kPa, noticed_reading, noticed_time_s, "
-      "limit_intercept_kPa, nearest_reading, nearest_normalised, nearest_error FROM verdicts WHERE "
-      "test_id = ?",
+      "limit_intercept_kPa, total_eta_low, total_eta_high, total_q_low_kPa, total_q_high_kPa, "
+      "total_p_eff_low_kPa, total_p_eff_high_kPa, uncertainty_budget, nearest_reading, "
+      "nearest_normalised, nearest_error FROM verdicts WHERE test_id = ?",
       [&](Columns& c) {
         const auto kind = lab::collapse_kind_from(c.text());
         collapse.judged = kind.has_value();
@@ -64,11 +96,14 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
         interval = read_interval(c);
         collapse.onset_detected_at = read_moment(c);
         collapse.limit_intercept_pa = c.si("kPa");
+        total = read_total(c);
         if (const auto reading = c.integer())
           collapse.nearest = lab::Nearest{*reading, c.number().value_or(0), c.number().value_or(0)};
       });
   collapse.onset = read_instant(database, id, "onset");
   if (collapse.onset) collapse.onset->interval = interval;
+  if (collapse.onset) collapse.onset->total = total;
+  read_loss_of_control(database, id, collapse);
   for_rows(database, id,
            "SELECT name, detected, reading, time_s, eta, evidence, noticed_reading, "
            "noticed_time_s FROM criteria WHERE test_id = ? ORDER BY id",
@@ -233,8 +268,8 @@ void read_truth(SQLite::Database& database, std::int64_t id, std::optional<lab::
            });
   for_rows(database, id,
            "SELECT start_s, largest_kinetic_energy_J, largest_at_s, kinetic_energy_J, "
-           "second_order_work_J, expected_ratio, end_s, ending FROM run_aways WHERE test_id = ? "
-           "ORDER BY number",
+           "second_order_work_J, expected_ratio, end_s, ending, axial_strain, q_kPa, p_eff_kPa, "
+           "pore_pressure_kPa FROM run_aways WHERE test_id = ? ORDER BY number",
            [&](Columns& c) {
              if (!truth) return;
              lab::RunAwayTruth& run_away = truth->run_aways.emplace_back();
@@ -246,6 +281,10 @@ void read_truth(SQLite::Database& database, std::int64_t id, std::optional<lab::
              run_away.expected_ratio = c.number();
              run_away.end_s = c.number();
              run_away.end = known(c.text(), lab::run_away_end_from);
+             run_away.axial_strain = c.number();
+             run_away.q_pa = c.si("kPa");
+             run_away.p_eff_pa = c.si("kPa");
+             run_away.pore_pressure_pa = c.si("kPa");
            });
 }
 

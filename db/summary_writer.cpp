@@ -3,6 +3,8 @@
 
 #include <SQLiteCpp/Statement.h>
 
+#include <nlohmann/json.hpp>
+
 #include "db/columns.hpp"
 #include "db/test_rows.hpp"
 
@@ -24,20 +26,23 @@ void insert_consolidation(SQLite::Database& database, std::int64_t id,
       .run();
 }
 
+void bind_instant(Binder& row, const lab::Instant& instant) {
+  row.integer(instant.reading)
+      .number(instant.time_s)
+      .number(instant.axial_strain)
+      .si(instant.q_pa, "kPa")
+      .si(instant.p_eff_pa, "kPa")
+      .si(instant.pore_pressure_pa, "kPa");
+}
+
 void insert_instant(SQLite::Database& database, std::int64_t id, std::string_view kind,
                     const std::optional<lab::Instant>& instant) {
   if (!instant) return;
   Statement insert(database, "INSERT INTO instants VALUES (?,?,?,?,?,?,?,?)");
-  Binder(insert)
-      .integer(id)
-      .text(kind)
-      .integer(instant->reading)
-      .number(instant->time_s)
-      .number(instant->axial_strain)
-      .si(instant->q_pa, "kPa")
-      .si(instant->p_eff_pa, "kPa")
-      .si(instant->pore_pressure_pa, "kPa")
-      .run();
+  Binder row(insert);
+  row.integer(id).text(kind);
+  bind_instant(row, *instant);
+  row.run();
 }
 
 void insert_cyclic(SQLite::Database& database, std::int64_t id,
@@ -95,9 +100,35 @@ void bind_interval(Binder& row, const std::optional<lab::StressInterval>& of) {
     row.si(if_known(interval.low), "kPa").si(if_known(interval.high), "kPa");
 }
 
+std::string budget_json(const lab::TotalUncertainty& total) {
+  auto list = nlohmann::json::array();
+  for (const lab::UncertaintySource& source : total.budget)
+    list.push_back({{"name", source.name}, {"share", source.share}});
+  return list.dump();
+}
+
+void bind_total(Binder& row, const std::optional<lab::Instant>& onset) {
+  const auto total = onset ? onset->total : std::nullopt;
+  bind_interval(row, total ? std::optional(total->interval) : std::nullopt);
+  row.text_or_null(total ? budget_json(*total) : std::string());
+}
+
+void insert_loss_of_control(SQLite::Database& database, std::int64_t id, const lab::Collapse& c) {
+  if (!c.loss_of_control) return;
+  Statement insert(database,
+                   "INSERT INTO losses_of_control VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  Binder row(insert);
+  row.integer(id);
+  bind_instant(row, *c.loss_of_control);
+  bind_interval(row, c.loss_of_control->interval);
+  bind_moment(row, c.loss_of_control_detected_at);
+  row.run();
+}
+
 void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Collapse& c) {
   Statement insert(database,
-                   "INSERT INTO verdicts VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+                   "INSERT INTO verdicts VALUES "
+                   "(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   Binder row(insert);
   row.integer(id)
       .text_or_null(c.judged ? to_string(c.kind) : std::string_view())
@@ -116,8 +147,10 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
   bind_interval(row, c.onset ? c.onset->interval : std::nullopt);
   bind_moment(row, c.onset_detected_at);
   row.si(c.limit_intercept_pa, "kPa");
+  bind_total(row, c.onset);
   row.run();
   insert_instant(database, id, "onset", c.onset);
+  insert_loss_of_control(database, id, c);
   Statement criterion(database,
                       "INSERT INTO criteria (test_id, name, detected, reading, time_s, eta, "
                       "evidence, noticed_reading, noticed_time_s) VALUES (?,?,?,?,?,?,?,?,?)");
@@ -184,7 +217,7 @@ void insert_guard(SQLite::Database& database, std::int64_t id,
 
 void insert_run_aways(SQLite::Database& database, std::int64_t id,
                       const std::vector<lab::RunAwayTruth>& run_aways) {
-  Statement insert(database, "INSERT INTO run_aways VALUES (?,?,?,?,?,?,?,?,?,?)");
+  Statement insert(database, "INSERT INTO run_aways VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   int number = 0;
   for (const lab::RunAwayTruth& run_away : run_aways)
     Binder(insert)
@@ -198,6 +231,10 @@ void insert_run_aways(SQLite::Database& database, std::int64_t id,
         .number(run_away.expected_ratio)
         .number(run_away.end_s)
         .text_or_null(to_string(run_away.end))
+        .number(run_away.axial_strain)
+        .si(run_away.q_pa, "kPa")
+        .si(run_away.p_eff_pa, "kPa")
+        .si(run_away.pore_pressure_pa, "kPa")
         .run();
 }
 

@@ -126,8 +126,8 @@ lab::SessionListener Correction::listener() {
 void Correction::begin(const lab::RecordHeader& header) {
   remove_scans(database_, id_);
   delete_rows(database_, id_,
-              {"stage_references", "events", "consolidations", "instants", "verdicts", "criteria",
-               "checks", "outlooks", "cyclic_loadings"});
+              {"stage_references", "events", "consolidations", "instants", "losses_of_control",
+               "verdicts", "criteria", "checks", "outlooks", "cyclic_loadings"});
   Statement warnings(database_, "DELETE FROM warnings WHERE test_id = ? AND found = 'at_end'");
   Binder(warnings).integer(id_).run();
   replace_header(database_, id_, header);

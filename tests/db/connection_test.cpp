@@ -168,6 +168,25 @@ TEST_CASE("migrate: a limit that was the largest ratio of the test becomes unkno
         0);
 }
 
+TEST_CASE("migrate: an old verdict has no loss of control and keeps its onset", "[db]") {
+  TemporaryFolder folder;
+  SQLite::Database database(folder.file("t.db"), kCreate);
+  db::migrate(database, "t.db", 23);
+  database.exec(
+      "INSERT INTO tests (id, name, origin, status, stored_at, has_time, columns) "
+      "VALUES (1, 'a', 'simulated', 'complete', '', 1, '');"
+      "INSERT INTO verdicts (test_id, kind, eta_low, noticed_reading) VALUES (1, 'flow', 0.5, 9);"
+      "INSERT INTO instants (test_id, kind, reading, q_kPa, p_eff_kPa) "
+      "VALUES (1, 'onset', 7, 60, 100);"
+      "INSERT INTO run_aways (test_id, number, start_s) VALUES (1, 1, 0.5)");
+  db::migrate(database, "t.db");
+  CHECK(database
+            .execAndGet("SELECT json_array(reading, eta, eta_low, noticed_reading, "
+                        "loss_of_control_reading, total_eta_low) FROM collapses")
+            .getString() == "[7,0.6,0.5,9,null,null]");
+  CHECK(read_int(database, "SELECT q_kPa IS NULL FROM run_aways") == 1);
+}
+
 TEST_CASE("a database made in one step is what all migrations come to") {
   const auto schema_of = [](SQLite::Database& database) {
     SQLite::Statement all(

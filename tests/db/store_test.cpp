@@ -96,6 +96,11 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   summary.collapse.onset = lab::Instant{5, 0.5, 0.0052, 56.4e3, std::nullopt, 521e3};
   summary.collapse.onset->interval = {{55e3, 57.5e3}, {90e3, 110e3}, {0.55, 0.61}};
   summary.collapse.onset_detected_at = lab::Moment{8, 0.8};
+  summary.collapse.onset->total = {.interval = {{53e3, 59e3}, {85e3, 115e3}, {0.5, 0.66}},
+                                   .budget = {{"gain of the load cell", 0.6}, {"noise", 0.4}}};
+  summary.collapse.loss_of_control = lab::Instant{6, 0.6, 0.006, 50e3, 80e3, 525e3};
+  summary.collapse.loss_of_control->interval = {{49e3, 51e3}, {78e3, 82e3}, {0.6, 0.65}};
+  summary.collapse.loss_of_control_detected_at = lab::Moment{7, 0.7};
   summary.collapse.second_order_work_normalised = -0.4;
   summary.collapse.second_order_work_error = 0.05;
   summary.collapse.limit_stress_ratio = 1.29;
@@ -105,7 +110,8 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   summary.collapse.criteria[0].detected_at = lab::Moment{7, std::nullopt};
   summary.truth = lab::Truth{true, 0.45, 0.00515, 56.45e3, 97.1e3, std::nullopt, {}};
   summary.truth->run_aways = {
-      {0.45, 2.5e-3, 0.6, 1e-6, -3e-6, 0.7, 0.75, lab::RunAwayEnd::new_equilibrium},
+      {0.45, 2.5e-3, 0.6, 1e-6, -3e-6, 0.7, 0.75, lab::RunAwayEnd::new_equilibrium, 0.006,
+       51e3, 81e3, 524e3},
       {0.8, 4e-3, 0.9, {}, {}, {}, {}, lab::RunAwayEnd::none}};
   summary.collapse.judged_until = 7;
   summary.collapse.judged_until_reason = "the pore-pressure transducer is dead";
@@ -215,6 +221,23 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   CHECK(back.collapse.onset->interval->p_eff_pa.high == Approx(110e3));
   CHECK(back.collapse.onset->interval->eta.low == 0.55);
   CHECK(back.collapse.onset->interval->eta.high == 0.61);
+  REQUIRE(back.collapse.onset->total);
+  CHECK(back.collapse.onset->total->interval.eta.low == 0.5);
+  CHECK(back.collapse.onset->total->interval.q_pa.high == Approx(59e3));
+  REQUIRE(back.collapse.onset->total->budget.size() == 2);
+  CHECK(back.collapse.onset->total->budget[0].name == "gain of the load cell");
+  CHECK(back.collapse.onset->total->budget[0].share == 0.6);
+  REQUIRE(back.collapse.loss_of_control);
+  CHECK(back.collapse.loss_of_control->reading == 6);
+  CHECK(back.collapse.loss_of_control->time_s == 0.6);
+  CHECK(back.collapse.loss_of_control->axial_strain == 0.006);
+  CHECK(back.collapse.loss_of_control->q_pa == Approx(50e3));
+  CHECK(back.collapse.loss_of_control->p_eff_pa == Approx(80e3));
+  CHECK(back.collapse.loss_of_control->pore_pressure_pa == 525e3);
+  REQUIRE(back.collapse.loss_of_control->interval);
+  CHECK(back.collapse.loss_of_control->interval->eta.high == 0.65);
+  REQUIRE(back.collapse.loss_of_control_detected_at);
+  CHECK(back.collapse.loss_of_control_detected_at->time_s == 0.7);
   REQUIRE(test.events.back().detected_at);
   CHECK(test.events.back().detected_at->reading == 9);
   CHECK(test.events.back().detected_at->time_s == 0.9);
@@ -223,6 +246,11 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
   CHECK_FALSE(back.truth->pore_pressure_pa);
   REQUIRE(back.truth->run_aways.size() == 2);
   CHECK(back.truth->run_aways[0].start_s == 0.45);
+  CHECK(back.truth->run_aways[0].axial_strain == 0.006);
+  CHECK(back.truth->run_aways[0].q_pa == Approx(51e3));
+  CHECK(back.truth->run_aways[0].p_eff_pa == Approx(81e3));
+  CHECK(back.truth->run_aways[0].pore_pressure_pa == Approx(524e3));
+  CHECK_FALSE(back.truth->run_aways[1].q_pa);
   CHECK(back.truth->run_aways[0].largest_kinetic_energy_j == 2.5e-3);
   CHECK(back.truth->run_aways[0].largest_at_s == 0.6);
   CHECK(back.truth->run_aways[0].kinetic_energy_j == 1e-6);

@@ -39,10 +39,10 @@ std::int64_t replay(std::string db, const std::string& record, lab::RecordOption
 /// Every row of every table and view that a correction may write, as text, but for revisions.
 std::string everything(const std::string& db, std::int64_t id) {
   std::string text;
-  for (const char* table :
-       {"tests", "specimens", "stages", "stage_references", "readings", "states",
-        "second_order_work", "forecasts", "consolidations", "verdicts", "criteria", "truths",
-        "checks", "cyclic_loadings", "outlooks", "guards", "instants", "run_aways"}) {
+  for (const char* table : {"tests", "specimens", "stages", "stage_references", "readings",
+                            "states", "second_order_work", "forecasts", "consolidations",
+                            "verdicts", "criteria", "truths", "checks", "cyclic_loadings",
+                            "outlooks", "guards", "instants", "losses_of_control", "run_aways"}) {
     text += std::string(table) + '\n';
     db::query(
         db, "SELECT * FROM " + std::string(table) + " WHERE test_id = " + std::to_string(id),
