@@ -4,7 +4,7 @@
 //                                                  was read from the place before (breaks.js)
 //   {kind: "band", x, low, high, colour}
 //   {kind: "ray", slope, intercept, colour, dash, label}      from x = 0; without an intercept through the origin
-//   {kind: "mark", x, y, shape, colour, label}     shape "ring", "cross" or "dot"
+//   {kind: "mark", x, y, shape, colour, label}     shape "ring", "diamond", "cross" or "dot"
 //   {kind: "rule", x, colour, dash}                a vertical line; {kind: "level", y} a horizontal one
 //   {kind: "cells", ...}, {kind: "wedges", ...}    see cells.js
 import { colour } from "./theme.js";
@@ -115,6 +115,12 @@ function mark(u, layer) {
     ctx.lineTo(left + r, top + r);
     ctx.moveTo(left - r, top + r);
     ctx.lineTo(left + r, top - r);
+  } else if (layer.shape === "diamond") {
+    ctx.moveTo(left, top - r);
+    ctx.lineTo(left + r, top);
+    ctx.lineTo(left, top + r);
+    ctx.lineTo(left - r, top);
+    ctx.closePath();
   } else ctx.arc(left, top, layer.shape === "dot" ? r * 0.7 : r, 0, 2 * Math.PI);
   if (layer.shape === "dot") {
     ctx.fillStyle = colour(layer.colour);

@@ -7,6 +7,7 @@ function sample(colour, kind) {
   const line = (more) => svg("line", { x1: 1, y1: 6, x2: 25, y2: 6, stroke: stroke(colour), "stroke-width": 2.2, ...more });
   switch (kind) {
     case "ring": return [svg("circle", { cx: 13, cy: 6, r: 4.5, fill: "none", stroke: stroke(colour), "stroke-width": 2.2 })];
+    case "diamond": return [svg("path", { d: "M13 1l5 5l-5 5l-5-5z", fill: "none", stroke: stroke(colour), "stroke-width": 2.2 })];
     case "cross": return [svg("path", { d: "M9 2l8 8M9 10l8-8", stroke: stroke(colour), "stroke-width": 2.2 })];
     case "band": return [svg("rect", { x: 1, y: 1, width: 24, height: 10, fill: stroke(colour), "fill-opacity": 0.3 })];
     case "cell": return [svg("rect", { x: 1, y: 1, width: 24, height: 10, fill: stroke(colour), "fill-opacity": 0.45 })];

@@ -25,14 +25,14 @@ async function load(id) {
 function summary(tests) {
   const cell = (label, ...content) => el("td", { class: "number", "data-label": label }, content);
   return el("section", { class: "panel" }, el("div", { class: "scroll" }, el("table", { class: "folds" },
-    el("thead", {}, el("tr", {}, ["Test", "Collapse", "η at onset", "φ_mob (°)", "p′₀ (kPa)", "e₀ (–)", "p′, q at onset (kPa)", "ε₁ at onset"].map((t, i) => el("th", { scope: "col", class: i > 1 ? "number" : null }, t)))),
+    el("thead", {}, el("tr", {}, ["Test", "Collapse", "η at onset", "φ_mob (°)", "p′₀ (kPa)", "e₀ (–)", "p′, q at onset (kPa)", "ε₁ at onset", "η at loss of control"].map((t, i) => el("th", { scope: "col", class: i > 1 ? "number" : null }, t)))),
     el("tbody", {}, tests.map(({ document: { test, collapse, consolidation } }) => {
       const { word, tone } = verdict(collapse);
       return el("tr", {}, el("th", { scope: "row", "data-label": "Test" }, el("a", { href: `#/test/${test.id}` }, test.name)),
         el("td", { "data-label": "Collapse" }, el("span", { class: `tag ${tone}` }, `${SHAPES[tone]} ${word}`)),
         cell("η at onset", within(collapse.eta, collapse.eta_low, collapse.eta_high)), cell("φ_mob (°)", fixed(collapse.phi_mob_deg)), cell("p′₀ (kPa)", fixed(consolidation.p_eff_kPa, 0)),
         cell("e₀ (–)", fixed(consolidation.void_ratio, 3)), cell("p′, q at onset (kPa)", collapse.detected ? `${fixed(collapse.p_eff_kPa)}, ${fixed(collapse.q_kPa)}` : "–"),
-        cell("ε₁ at onset", percent(collapse.axial_strain)));
+        cell("ε₁ at onset", percent(collapse.axial_strain)), cell("η at loss of control", fixed(collapse.loss_of_control?.eta, 2)));
     })))));
 }
 
@@ -70,7 +70,7 @@ export async function show(main, [ids]) {
       build();
     })),
   legend(tests.map(({ document }, i) => [document.test.name, STYLES[i][0], STYLES[i][1].length ? STYLES[i][1] : LINE[0]])),
-  grid, el("p", { class: "quiet" }, "From the start of shear, axial strain from there. Rings: onset of collapse."), summary(tests)));
+  grid, el("p", { class: "quiet" }, "From the start of shear, axial strain from there. Rings: onset of instability, diamonds: loss of control."), summary(tests)));
   build();
   return { title: "Compare", end: () => charts.forEach((chart) => chart.end()) };
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Marks and lines of one test, from its document: onset, truth, instability line, limit surface.
+// Marks and lines of one test, from its document: onset, loss of control, truth, instability line, limit surface.
 import { fixed } from "./format.js";
 import { onAxes, slopeOn } from "./quantities.js";
 
@@ -27,11 +27,12 @@ export function marks(collapse, view, total) {
     layers.push({ kind: "mark", x, y, ...more });
   };
   put(collapse, { shape: "ring", colour: "vermilion" });
+  put(collapse.loss_of_control, { shape: "diamond", colour: "purple" });
   if (collapse.truth?.lost_sustainability) put(collapse.truth, { shape: "cross", colour: "ink" });
   return layers;
 }
 
-/** Vertical rules at onset and truth where time or axial strain runs to the right. */
+/** Vertical rules at onset, loss of control and truth where time or axial strain runs to the right. */
 export function rules(collapse, axis) {
   const at = (moment) => {
     const value = axis === "time" ? moment?.time_s : moment?.axial_strain;
@@ -40,13 +41,15 @@ export function rules(collapse, axis) {
   const layers = [];
   const put = (x, more) => x !== null && layers.push({ kind: "rule", x, ...more });
   if (collapse.detected) put(at(collapse), { colour: "vermilion", width: 1.6 });
+  put(at(collapse.loss_of_control), { colour: "purple", dash: [8, 3, 2, 3], width: 1.6 });
   if (collapse.truth?.lost_sustainability) put(at(collapse.truth), { colour: "ink", dash: [2, 3], width: 1.6 });
   return layers;
 }
 
 export const LEGEND = {
   path: ["stress path or history", "blue", "line"], limit: ["limit surface, slope M", "ink", "line"],
-  instability: ["instability line through the onset", "vermilion", "dash"], onset: ["onset of collapse", "vermilion", "ring"],
+  instability: ["instability line through the onset", "vermilion", "dash"], onset: ["onset of instability", "vermilion", "ring"],
+  control: ["loss of control", "purple", "diamond"],
   unread: ["nothing was read between", "blue", "dots"],
   truth: ["truth: the simulated specimen itself", "ink", "cross"], band: ["one standard error of W₂", "purple", "band"],
 };

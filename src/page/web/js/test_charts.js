@@ -70,7 +70,7 @@ export class TestCharts {
 
   legendOf(unread) {
     const { collapse } = this.document;
-    const has = { path: true, unread, limit: !this.total && collapse.limit_stress_ratio, instability: !this.total && collapse.eta, onset: collapse.detected,
+    const has = { path: true, unread, limit: !this.total && collapse.limit_stress_ratio, instability: !this.total && collapse.eta, onset: collapse.detected, control: collapse.loss_of_control,
       truth: collapse.truth?.lost_sustainability, band: true };
     return Object.keys(LEGEND).filter((key) => has[key]).map((key) => LEGEND[key]);
   }

@@ -15,14 +15,22 @@ function table(caption, heads, rows) {
       el("thead", {}, el("tr", {}, heads.map(([text, kind]) => el("th", { scope: "col", class: kind }, text)))), el("tbody", {}, rows))));
 }
 
+/** Both instants of a test: the loss of control is there whatever the result is. */
+function lossOfControl({ loss_of_control: lost }) {
+  if (!lost) return [];
+  const known = lost.detected_at ? `detected at reading ${lost.detected_at.reading}` : "detected when the record had ended";
+  return [figure("loss of control at η", within(lost.eta, lost.eta_low, lost.eta_high)),
+    figure("loss of control when", time(lost.time_s), el("small", {}, ` reading ${lost.reading}, ${known}`))];
+}
+
 export function verdictPanel({ collapse, test }) {
   const { word, tone, why } = verdict(collapse);
   const inside = collapse.inside_limit_surface;
   const limit = collapse.limit_stress_ratio ? el("small", {}, ` M ${fixed(collapse.limit_stress_ratio, 2)}`) : el("small", { title: collapse.limit_source ?? "" }, " no friction angle given");
   const figures = collapse.detected ? [
-    figure("onset at η = q/p′", within(collapse.eta, collapse.eta_low, collapse.eta_high)),
+    figure("onset of instability at η = q/p′", within(collapse.eta, collapse.eta_low, collapse.eta_high)),
     figure("φ_mob", `${fixed(collapse.phi_mob_deg, 1)}°`),
-    figure("when", time(collapse.time_s), el("small", {}, ` reading ${collapse.reading}`)),
+    figure("when", time(collapse.time_s), el("small", {}, ` reading ${collapse.reading}${collapse.noticed ? `, detected at reading ${collapse.noticed.reading}` : ""}`)),
     figure("axial strain ε₁", percent(collapse.axial_strain)),
     figure("p′, q", `${fixed(collapse.p_eff_kPa)}, ${fixed(collapse.q_kPa)} `, el("small", {}, "kPa")),
     figure("W₂ normalised", `${fixed(collapse.second_order_work_normalised, 3)}${collapse.second_order_work_error === null ? "" : ` ± ${fixed(collapse.second_order_work_error, 3)}`}`),
@@ -35,7 +43,7 @@ export function verdictPanel({ collapse, test }) {
   ];
   return el("section", { class: `panel assessment ${tone}`, "aria-label": "Assessment", data: { verdict: String(collapse.kind), test: String(test.id) } },
     el("div", {}, el("div", { class: "word" }, el("span", { "aria-hidden": "true" }, `${SHAPES[tone]} `), word), el("div", { class: "quiet" }, why)),
-    el("dl", { class: "figures" }, figures));
+    el("dl", { class: "figures" }, figures, lossOfControl(collapse)));
 }
 
 export function criteriaTable({ collapse }) {
