@@ -242,7 +242,7 @@ Table summary_table(const std::vector<study::TestResult>& tests) {
 std::vector<std::string> summary_notes() {
   return {
       "p′₀, e₀: mean effective stress and void ratio at the start of shear",
-      "η_coll = q/p′ at the onset of collapse; φ_mob from sin φ_mob = 3η/(6 + η)",
+      "η_coll = q/p′ at the onset of instability; φ_mob from sin φ_mob = 3η/(6 + η)",
       "Limit surface: whether the onset lies inside the Mohr-Coulomb line or on it; unknown "
       "without "
       "a friction angle",

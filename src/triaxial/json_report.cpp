@@ -113,6 +113,15 @@ Json run_aways_json(const std::vector<lab::RunAwayTruth>& run_aways) {
   return list;
 }
 
+Json true_loss_of_control_json(const lab::Truth& truth) {
+  const auto lost = study::true_loss_of_control(truth);
+  if (!lost) return nullptr;
+  Json object;
+  put_instant(object, lost);
+  object.erase("reading");  // no instrument saw it
+  return object;
+}
+
 Json truth_json(const std::optional<lab::Truth>& truth) {
   if (!truth) return nullptr;
   const lab::Instant at = study::true_instant(*truth);
@@ -124,12 +133,13 @@ Json truth_json(const std::optional<lab::Truth>& truth) {
           {"pore_pressure_kPa", study::json_kPa(truth->pore_pressure_pa)},
           {"eta", study::json_number(at.eta())},
           {"phi_mob_deg", study::json_deg(at.phi_mob_rad())},
+          {"loss_of_control", true_loss_of_control_json(*truth)},
           {"run_aways", run_aways_json(truth->run_aways)}};
 }
 
-void put_interval(Json& object, const std::optional<lab::Instant>& at) {
-  const bool known = at && at->interval;
-  const lab::StressInterval interval = known ? *at->interval : lab::StressInterval{};
+void put_interval(Json& object, const std::optional<lab::StressInterval>& of) {
+  const bool known = of.has_value();
+  const lab::StressInterval interval = of.value_or(lab::StressInterval{});
   const auto if_known = [known](double value) {
     return known ? std::optional(value) : std::nullopt;
   };
@@ -139,6 +149,29 @@ void put_interval(Json& object, const std::optional<lab::Instant>& at) {
   object["q_high_kPa"] = study::json_kPa(if_known(interval.q_pa.high));
   object["p_eff_low_kPa"] = study::json_kPa(if_known(interval.p_eff_pa.low));
   object["p_eff_high_kPa"] = study::json_kPa(if_known(interval.p_eff_pa.high));
+}
+
+/// Repeatability and what all readings share.
+void put_total(Json& object, const std::optional<lab::TotalUncertainty>& total) {
+  object["total_interval"] = nullptr;
+  object["uncertainty_budget"] = nullptr;
+  if (!total) return;
+  object["total_interval"] = Json::object();
+  put_interval(object["total_interval"], total->interval);
+  object["uncertainty_budget"] = Json::array();
+  for (const lab::UncertaintySource& source : total->budget)
+    object["uncertainty_budget"].push_back(
+        {{"name", source.name}, {"share", study::json_number(source.share)}});
+}
+
+Json known_instant_json(const std::optional<lab::Instant>& at,
+                        const std::optional<lab::Moment>& detected_at) {
+  if (!at) return nullptr;
+  Json object;
+  put_instant(object, at);
+  put_interval(object, at->interval);
+  object["detected_at"] = study::moment_json(detected_at);
+  return object;
 }
 
 Json criteria_json(const std::vector<lab::Criterion>& criteria) {
@@ -190,8 +223,11 @@ Json collapse_json(const db::StoredTest& test) {
   object["judged"] = judged_json(test);
   object["inside_limit_surface"] = maybe(collapse.inside_limit_surface);
   put_instant(object, collapse.onset);
-  put_interval(object, collapse.onset);
+  put_interval(object, collapse.onset ? collapse.onset->interval : std::nullopt);
+  put_total(object, collapse.onset ? collapse.onset->total : std::nullopt);
   object["noticed"] = study::moment_json(collapse.onset_detected_at);
+  object["loss_of_control"] =
+      known_instant_json(collapse.loss_of_control, collapse.loss_of_control_detected_at);
   object["warning"] = {{"approaching", study::forecast_json(collapse.approaching)},
                        {"imminent", study::forecast_json(collapse.imminent)}};
   object["reading_itself"] = reading_itself_json(test);
@@ -342,6 +378,17 @@ Json test_document(const db::StoredTest& test) { return document_of(test); }
 
 std::string json_of_test(const study::TestResult& test) {
   return document_of(test.stored).dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string json_of_instants(const db::StoredTest& test) {
+  const lab::Collapse& collapse = test.summary.collapse;
+  const auto onset = study::collapse_onset(test);
+  Json document;
+  document["onset"] = known_instant_json(onset, collapse.onset_detected_at);
+  if (onset) put_total(document["onset"], onset->total);
+  document["loss_of_control"] =
+      known_instant_json(collapse.loss_of_control, collapse.loss_of_control_detected_at);
+  return document.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string json_in_short(const db::StoredTest& test) {

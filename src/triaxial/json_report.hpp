@@ -20,6 +20,11 @@ std::string json_of_test(const study::TestResult& test);
 /// The same as a value, to which others add.
 study::Json test_document(const db::StoredTest& test);
 
+/// {"onset": ..., "loss_of_control": ...}: the two instants of a test, null without one. Values as
+/// in collapse, with the interval and detected_at; the onset of instability also has total_interval
+/// and uncertainty_budget.
+std::string json_of_instants(const db::StoredTest& test);
+
 /// Of one test the parts test, specimen, collapse and warnings, as a document.
 std::string json_in_short(const db::StoredTest& test);
 

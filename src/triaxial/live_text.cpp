@@ -137,12 +137,17 @@ std::string lost_line(const lab::Collapse& collapse, const lab::Instant& onset) 
 
 std::vector<Fact> compared(const db::StoredTest& test, const study::LiveAccount& account) {
   const lab::Collapse& c = test.summary.collapse;
-  std::vector<Fact> facts = {{"result", {verdict_line(test)}}, {"onset", {onset_line(account)}}};
+  std::vector<Fact> facts = {{"result", {verdict_line(test)}},
+                             {"onset of instability", {onset_line(account)}}};
   using enum lab::EventKind;
   facts.push_back(
       {"approaching", {level_line(approaching, c.approaching, account.approaching, test)}});
   facts.push_back({"imminent", {level_line(imminent, c.imminent, account.imminent, test)}});
   if (account.onset && c.detected()) facts.push_back({"lost", {lost_line(c, *account.onset)}});
+  if (c.loss_of_control)
+    facts.push_back({"loss of control",
+                     {instant(*c.loss_of_control),
+                      detected_line(*c.loss_of_control, c.loss_of_control_detected_at)}});
   if (test.summary.truth) facts.push_back({"true onset", {truth_line(*test.summary.truth)}});
   return facts;
 }

@@ -80,6 +80,37 @@ void add_instant(VerdictRows& rows, const lab::Instant& at) {
   rows.number("stress_ratio, high end of 95 %", at.interval->eta.high);
 }
 
+void add_detected_at(VerdictRows& rows, const std::optional<lab::Moment>& at) {
+  if (!at) return;
+  rows.number("detected at reading", static_cast<double>(at->reading));
+  rows.number("detected at time_s", at->time_s);
+}
+
+void add_total(VerdictRows& rows, const lab::TotalUncertainty& total) {
+  rows.number("stress_ratio, low end of total uncertainty", total.interval.eta.low);
+  rows.number("stress_ratio, high end of total uncertainty", total.interval.eta.high);
+  for (const lab::UncertaintySource& source : total.budget)
+    rows.number("fraction of variance: " + source.name, source.share);
+}
+
+void add_instants(VerdictRows& rows, const db::StoredTest& test) {
+  const lab::Collapse& c = test.summary.collapse;
+  if (const auto onset = study::collapse_onset(test)) {
+    rows.heading("Onset of instability");
+    add_instant(rows, *onset);
+    add_detected_at(rows, c.onset_detected_at);
+    if (onset->total) add_total(rows, *onset->total);
+  }
+  if (const auto failure = study::failure_onset(test)) {
+    rows.heading("Failure, no collapse");
+    add_instant(rows, *failure);
+  }
+  if (!c.loss_of_control) return;
+  rows.heading("Loss of control");
+  add_instant(rows, *c.loss_of_control);
+  add_detected_at(rows, c.loss_of_control_detected_at);
+}
+
 }  // namespace
 
 bool is_of_verdict(const Fact& fact) {
@@ -109,8 +140,6 @@ void write_verdict(Sheet& sheet, const db::StoredTest& test, const TestContent& 
     rows.number("second_order_work_normalised", c.second_order_work_normalised);
     rows.number("second_order_work_error", c.second_order_work_error);
     rows.number("fraction of strength lost", c.strength_lost);
-    if (c.onset_detected_at)
-      rows.number("detection reading", static_cast<double>(c.onset_detected_at->reading));
     if (c.nearest && !c.detected()) {
       rows.number("least second_order_work_normalised", c.nearest->normalised);
       rows.number("at reading", static_cast<double>(c.nearest->reading));
@@ -121,14 +150,7 @@ void write_verdict(Sheet& sheet, const db::StoredTest& test, const TestContent& 
     rows.number("undrained_strength_kPa", strength->c_u_pa() / 1e3);
     add_instant(rows, strength->at);
   }
-  if (const auto onset = study::collapse_onset(test)) {
-    rows.heading("Onset of collapse");
-    add_instant(rows, *onset);
-  }
-  if (const auto failure = study::failure_onset(test)) {
-    rows.heading("Failure, no collapse");
-    add_instant(rows, *failure);
-  }
+  add_instants(rows, test);
   rows.heading("In words");
   for (const Fact& fact : content.facts)
     if (is_of_verdict(fact))

@@ -33,6 +33,9 @@ const std::vector<AgsUserHeading>& ags_user_headings() {
                      {.heading = group + "_ETAC", .type = "3DP"},
                      "Stress ratio q/p' at which second-order work vanished (onset of collapse)"});
       all.push_back({group,
+                     {.heading = group + "_ETAL", .type = "3DP"},
+                     "Stress ratio q/p' at the loss of control (start of the runaway)"});
+      all.push_back({group,
                      {.heading = group + "_KIND", .type = "X"},
                      "Collapse: flow, partial, limited, cyclic_mobility, none, or not assessed"});
     }

@@ -34,6 +34,7 @@ AgsCells general_cells(const AgsTest& test, const std::string& type) {
   row["CTRG_METH"] = fmt::format("Reduced by triax {}", version());
   const auto onset = collapse_onset(test.stored);
   row["CTRG_ETAC"] = ags_value("CTRG_ETAC", onset ? onset->eta() : std::nullopt);
+  row["CTRG_ETAL"] = ags_value("CTRG_ETAL", eta_at_loss_of_control(test.stored));
   row["CTRG_KIND"] = ags_kind(test.stored);
   return row;
 }

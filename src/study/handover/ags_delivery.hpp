@@ -31,6 +31,8 @@ void add_cyclic_rows(AgsRows& rows, const AgsTest& test, const AgsCells& keys);
 
 /// "flow", "none", "not assessed".
 std::string ags_kind(const db::StoredTest& test);
+/// Empty: there was none, or its stress ratio is not known.
+std::optional<double> eta_at_loss_of_control(const db::StoredTest& test);
 /// "Simulated, not measured. ..." and how stresses were found: what every general row says.
 std::string ags_remark(const db::StoredTest& test);
 

@@ -66,7 +66,7 @@ void put_failure(AgsCells& row, const ShearValues& shear, bool undrained, bool h
 }
 
 std::string failure_criterion(bool holds_q) {
-  return holds_q ? "Onset of collapse by second-order work" : "Largest deviator stress";
+  return holds_q ? "Onset of instability by second-order work" : "Largest deviator stress";
 }
 
 }  // namespace
@@ -85,13 +85,22 @@ std::string ags_kind(const db::StoredTest& test) {
   return has_verdict(test) ? std::string(to_string(test.summary.collapse.kind)) : "not assessed";
 }
 
+std::optional<double> eta_at_loss_of_control(const db::StoredTest& test) {
+  const auto& lost = test.summary.collapse.loss_of_control;
+  return lost ? lost->eta() : std::nullopt;
+}
+
 std::string ags_remark(const db::StoredTest& test) {
   std::string remark =
       test.header.origin == lab::Origin::simulated ? "SIMULATED, not measured" : "";
-  if (const auto at = collapse_onset(test); at && at->axial_strain)
-    remark = lab::joined({remark, fmt::format("onset of collapse at an axial strain of {:.2f} %",
-                                              *at->axial_strain * 100)},
-                         "; ");
+  const auto add = [&](const char* what, const std::optional<lab::Instant>& at) {
+    if (at && at->axial_strain)
+      remark = lab::joined(
+          {remark, fmt::format("{} at an axial strain of {:.2f} %", what, *at->axial_strain * 100)},
+          "; ");
+  };
+  add("onset of instability", collapse_onset(test));
+  add("loss of control", test.summary.collapse.loss_of_control);
   if (const auto& c = test.summary.collapse; !c.judged_until_reason.empty())
     remark = lab::joined({remark, c.judged_until_reason}, "; ");
   return lab::ags_ascii(remark);
@@ -124,6 +133,7 @@ void add_triaxial_rows(AgsRows& rows, const AgsTest& test, const AgsCells& keys)
   put_failure(row, test.shear, row["TRET_DRN"] == "Undrained", holds_q);
   const auto onset = collapse_onset(test.stored);
   row["TRET_ETAC"] = ags_value("TRET_ETAC", onset ? onset->eta() : std::nullopt);
+  row["TRET_ETAL"] = ags_value("TRET_ETAL", eta_at_loss_of_control(test.stored));
   row["TRET_KIND"] = ags_kind(test.stored);
   rows.add("TRET", row);
 }

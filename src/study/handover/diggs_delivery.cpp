@@ -281,6 +281,7 @@ void DiggsTestWriter::write_results() {
   };
   if (summary.peak) write_instant("peak of the deviator stress", *summary.peak);
   if (const auto onset = collapse_onset(test_)) write_instant("onset of instability", *onset);
+  if (const auto& lost = summary.collapse.loss_of_control) write_instant("loss of control", *lost);
 }
 
 /// Keys that no element of DIGGS holds.

@@ -79,6 +79,7 @@ std::vector<HistoryMark> marks_of(const db::StoredTest& test, const HistoryAxis&
     if (at) marks.push_back({*at, kind});
   };
   add(collapse_onset(test), HistoryMarkKind::onset);
+  add(test.summary.collapse.loss_of_control, HistoryMarkKind::loss_of_control);
   add(failure_onset(test), HistoryMarkKind::failure);
   // The truth knows its time only.
   const auto& truth = test.summary.truth;

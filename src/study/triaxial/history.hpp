@@ -32,7 +32,7 @@ struct HistoryWork {
   double error = 0;       ///< one standard error; 0 where not known
 };
 
-enum class HistoryMarkKind { onset, failure, true_onset };
+enum class HistoryMarkKind { onset, loss_of_control, failure, true_onset };
 
 struct HistoryMark {
   double at = 0;  ///< along the axis, in its units

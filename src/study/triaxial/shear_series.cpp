@@ -25,15 +25,9 @@ std::vector<lab::State> states_of_shear(const TestResult& test) {
   return states;
 }
 
-void find_state_at_onset(SeriesTest& test) {
-  test.at_onset.reset();
-  if (!test.onset || test.states.empty()) return;
-  const auto distance = [&](const lab::State& state) {
-    return std::llabs(state.reading - test.onset->reading);
-  };
-  test.at_onset =
-      *std::min_element(test.states.begin(), test.states.end(),
-                        [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+void find_states_at_instants(SeriesTest& test) {
+  test.at_onset = nearest_state(test.states, test.onset);
+  test.at_loss_of_control = nearest_state(test.states, test.loss_of_control);
 }
 
 /// Tests of one name have their number with it.
@@ -80,6 +74,14 @@ lab::Drainage drainage_of_shear(const lab::RecordHeader& header,
   return most - least > kMoved ? lab::Drainage::open : lab::Drainage::closed;
 }
 
+std::optional<lab::State> nearest_state(const std::vector<lab::State>& states,
+                                        const std::optional<lab::Instant>& instant) {
+  if (!instant || states.empty()) return std::nullopt;
+  return *std::ranges::min_element(states, {}, [&](const lab::State& state) {
+    return std::llabs(state.reading - instant->reading);
+  });
+}
+
 ShearSeries shear_series(const std::vector<TestResult>& tests) {
   ShearSeries series;
   for (const auto& test : tests) {
@@ -88,7 +90,8 @@ ShearSeries shear_series(const std::vector<TestResult>& tests) {
     added.states = states_of_shear(test);
     added.breaks = test.curves.breaks;
     added.onset = collapse_onset(test.stored);
-    find_state_at_onset(added);
+    added.loss_of_control = test.stored.summary.collapse.loss_of_control;
+    find_states_at_instants(added);
     if (added.onset && added.onset->axial_strain)
       series.strain_at_onset = std::max(series.strain_at_onset, *added.onset->axial_strain);
   }
@@ -109,7 +112,7 @@ ShearBeginnings shear_beginnings(const std::vector<TestResult>& tests) {
     const auto beyond = std::find_if(test.states.begin(), test.states.end(),
                                      [&](const auto& state) { return state.strain.axial > last; });
     test.states.erase(beyond, test.states.end());
-    find_state_at_onset(test);
+    find_states_at_instants(test);
   }
   return beginnings;
 }

@@ -22,13 +22,18 @@ bool is_shear(const lab::RecordHeader& header, int stage);
 lab::Drainage drainage_of_shear(const lab::RecordHeader& header,
                                 const std::vector<lab::State>& states);
 
+/// The state nearest to that instant by its reading; nothing without one.
+std::optional<lab::State> nearest_state(const std::vector<lab::State>& states,
+                                        const std::optional<lab::Instant>& instant);
+
 struct SeriesTest {
   std::string name;
   std::vector<lab::State> states;     ///< of shear, in order
   LineBreaks breaks{};                ///< of lines through them
-  std::optional<lab::Instant> onset;  ///< of collapse
-  /// The nearest to the onset among `states`; nothing without an onset or without states.
-  std::optional<lab::State> at_onset;
+  std::optional<lab::Instant> onset;  ///< of instability
+  std::optional<lab::Instant> loss_of_control{};
+  /// The nearest to each among `states`; nothing without that instant or without states.
+  std::optional<lab::State> at_onset{}, at_loss_of_control{};
 };
 
 struct ShearSeries {

@@ -20,6 +20,7 @@ StressPath stress_path(const TestResult& test) {
     (is_shear(header, state.stage) ? path.shear : path.before).push_back(state);
   path.breaks = test.curves.breaks;
   path.onset = stress_at(collapse_onset(test.stored));
+  path.loss_of_control = stress_at(summary.collapse.loss_of_control);
   path.failure = stress_at(failure_onset(test.stored));
   if (const auto& truth = summary.truth; truth && truth->p_eff_pa && truth->q_pa)
     path.true_onset = {*truth->p_eff_pa, *truth->q_pa};

@@ -24,8 +24,9 @@ struct StressPath {
   std::string test;                ///< its name
   std::vector<lab::State> before;  ///< in stages that are said not to be shear
   std::vector<lab::State> shear;
-  LineBreaks breaks{};                       ///< of lines through them
-  std::optional<StressPoint> onset;          ///< of collapse
+  LineBreaks breaks{};               ///< of lines through them
+  std::optional<StressPoint> onset;  ///< of collapse
+  std::optional<StressPoint> loss_of_control;
   std::optional<StressPoint> failure;        ///< which is no collapse
   std::optional<StressPoint> true_onset;     ///< of a simulated specimen itself
   std::optional<double> limit_stress_ratio;  ///< M of the limit surface

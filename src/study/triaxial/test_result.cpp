@@ -66,6 +66,19 @@ std::optional<lab::Instant> failure_onset(const db::StoredTest& test) {
   return has_verdict(test) && !collapse.detected() ? collapse.onset : std::nullopt;
 }
 
+std::optional<lab::Instant> true_loss_of_control(const lab::Truth& truth) {
+  if (truth.run_aways.empty()) return std::nullopt;
+  const lab::RunAwayTruth& first = truth.run_aways.front();
+  // An onset at a fall is that instant.
+  lab::Instant instant = first.start_s == truth.time_s ? true_instant(truth) : lab::Instant{};
+  instant.time_s = first.start_s;
+  if (first.axial_strain) instant.axial_strain = first.axial_strain;
+  if (first.q_pa) instant.q_pa = first.q_pa;
+  if (first.p_eff_pa) instant.p_eff_pa = first.p_eff_pa;
+  if (first.pore_pressure_pa) instant.pore_pressure_pa = first.pore_pressure_pa;
+  return instant;
+}
+
 lab::Instant true_instant(const lab::Truth& truth) {
   lab::Instant instant;
   instant.time_s = truth.time_s;

@@ -32,6 +32,10 @@ std::optional<lab::Instant> collapse_onset(const db::StoredTest& test);
 /// Where strength was lost without a collapse: on the limit surface, or with the drainage open.
 std::optional<lab::Instant> failure_onset(const db::StoredTest& test);
 
+/// The true loss of control: where the first runaway of a simulated specimen began, as an instant
+/// without a reading; what is not known is empty. Nothing without a runaway.
+std::optional<lab::Instant> true_loss_of_control(const lab::Truth& truth);
+
 /// When and at what stress the specimen of a simulation itself lost sustainability, as an instant
 /// without a reading: no instrument sees it. Empty where it did not.
 lab::Instant true_instant(const lab::Truth& truth);

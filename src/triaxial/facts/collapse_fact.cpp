@@ -47,16 +47,13 @@ std::string interval_line(const lab::StressInterval& at) {
                      number(at.eta.high, 3), kPa(at.q_pa), kPa(at.p_eff_pa));
 }
 
-std::string noticed_line(const db::StoredTest& test) {
-  const lab::Collapse& collapse = test.summary.collapse;
-  if (!collapse.onset_detected_at) return "not before the record ended";
-  std::string line = fmt::format("at reading {}", collapse.onset_detected_at->reading);
-  if (collapse.onset_detected_at->time_s)
-    line += ", " + duration(collapse.onset_detected_at->time_s);
-  if (!collapse.onset) return line;
-  const std::int64_t after = collapse.onset_detected_at->reading - collapse.onset->reading;
-  return line + (after == 1 ? std::string("; one reading after the onset")
-                            : fmt::format("; {} readings after the onset", after));
+/// "total uncertainty: η 0.71 to 0.79; largest source: gain of the load cell, 41 %"
+std::string total_line(const lab::TotalUncertainty& total) {
+  std::string line = fmt::format("total uncertainty: η {} to {}", number(total.interval.eta.low, 3),
+                                 number(total.interval.eta.high, 3));
+  const auto largest = std::ranges::max_element(total.budget, {}, &lab::UncertaintySource::share);
+  if (largest == total.budget.end()) return line;
+  return line + fmt::format("; largest source: {}, {:.0f} %", largest->name, largest->share * 100);
 }
 
 /// What the alarm said first and did not take back.
@@ -77,41 +74,70 @@ std::vector<std::string> warning_lines(const lab::Collapse& collapse) {
 std::vector<std::string> onset_lines(const db::StoredTest& test, const lab::Instant& onset) {
   std::vector<std::string> lines = {instant(onset)};
   if (onset.interval) lines.push_back(interval_line(*onset.interval));
+  if (onset.total) lines.push_back(total_line(*onset.total));
+  if (test.summary.collapse.detected())
+    lines.push_back(detected_line(onset, test.summary.collapse.onset_detected_at));
   if (test.state_at_onset)
     lines.push_back("values of that reading: " +
                     stress_and_strain(lab::instant_of(*test.state_at_onset, false)));
   return lines;
 }
 
+std::vector<std::string> loss_of_control_lines(const lab::Collapse& collapse) {
+  const auto& lost = collapse.loss_of_control;
+  if (!lost) return {"none"};
+  std::vector<std::string> lines = {instant(*lost)};
+  if (lost->interval) lines.push_back(interval_line(*lost->interval));
+  lines.push_back(detected_line(*lost, collapse.loss_of_control_detected_at));
+  return lines;
+}
+
+/// What is known of it: "12.5 s, ε₁ 0.52 %, q 60.0 kPa".
+std::string values_line(const lab::Instant& at) {
+  std::vector<std::string> parts;
+  if (at.time_s) parts.push_back(duration(at.time_s));
+  if (at.axial_strain) parts.push_back(fmt::format("ε₁ {} %", in_percent(at.axial_strain)));
+  if (at.q_pa) parts.push_back(fmt::format("q {} kPa", in_kPa(at.q_pa)));
+  if (at.p_eff_pa) parts.push_back(fmt::format("p′ {} kPa", in_kPa(at.p_eff_pa)));
+  if (at.eta()) parts.push_back(fmt::format("η {}", number(at.eta(), 2)));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 }  // namespace
+
+std::string detected_line(const lab::Instant& at, const std::optional<lab::Moment>& detected_at) {
+  if (!detected_at) return "detected only when the record had ended";
+  std::string line = fmt::format("detected at reading {}", detected_at->reading);
+  if (detected_at->time_s) line += ", " + duration(detected_at->time_s);
+  const std::int64_t after = detected_at->reading - at.reading;
+  return line + (after == 1 ? std::string("; one reading later")
+                            : fmt::format("; {} readings later", after));
+}
 
 std::string truth_line(const lab::Truth& truth) {
   if (!truth.lost_sustainability) return "the simulated specimen remained stable";
-  const lab::Instant at = study::true_instant(truth);
-  std::vector<std::string> parts;
-  if (truth.time_s) parts.push_back(duration(truth.time_s));
-  if (truth.axial_strain) parts.push_back(fmt::format("ε₁ {} %", in_percent(truth.axial_strain)));
-  if (truth.q_pa) parts.push_back(fmt::format("q {} kPa", in_kPa(truth.q_pa)));
-  if (truth.p_eff_pa) parts.push_back(fmt::format("p′ {} kPa", in_kPa(truth.p_eff_pa)));
-  if (at.eta()) parts.push_back(fmt::format("η {}", number(at.eta(), 2)));
   const bool fell = std::ranges::any_of(truth.run_aways, [&](const lab::RunAwayTruth& run_away) {
     return run_away.start_s == truth.time_s;
   });
   return fmt::format(
       "the simulated specimen {} at {}",
       fell ? "lost its equilibrium (runaway, W₂ still positive)" : "became unstable (W₂ < 0)",
-      fmt::join(parts, ", "));
+      values_line(study::true_instant(truth)));
 }
 
 void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
   const auto& collapse = test.summary.collapse;
   facts.push_back({"Collapse", {verdict_line(test)}});
   if (test.summary.guard) facts.push_back({"Intervention", guard_lines(*test.summary.guard)});
-  if (!study::has_verdict(test)) return;
+  if (!study::has_verdict(test)) {
+    if (collapse.loss_of_control)
+      facts.push_back({"Loss of control", loss_of_control_lines(collapse)});
+    return;
+  }
   if (const auto onset = study::collapse_onset(test))
-    facts.push_back({"Onset", onset_lines(test, *onset)});
+    facts.push_back({"Onset of instability", onset_lines(test, *onset)});
+  facts.push_back({"Loss of control", loss_of_control_lines(collapse)});
   if (const auto lines = warning_lines(collapse); !lines.empty()) facts.push_back({"Alarm", lines});
-  if (collapse.detected()) facts.push_back({"Detected", {noticed_line(test)}});
   if (const auto failure = study::failure_onset(test))
     facts.push_back({"Failure", onset_lines(test, *failure)});
   facts.push_back(
@@ -121,6 +147,9 @@ void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test) {
   facts.push_back({"Limit surface", {limit_line(test)}});
   if (test.summary.truth)
     facts.push_back({"True onset (model)", {truth_line(*test.summary.truth)}});
+  if (const auto lost =
+          test.summary.truth ? study::true_loss_of_control(*test.summary.truth) : std::nullopt)
+    facts.push_back({"True loss of control", {values_line(*lost)}});
   if (test.summary.truth && !test.summary.truth->run_aways.empty())
     facts.push_back({"Runaway", run_away_lines(test.summary.truth->run_aways)});
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "src/plot/plot_style.hpp"
@@ -65,11 +64,11 @@ void keep_few_states(study::TestResult& test, double part) {
     if (breaks.is_unread(here, next) || breaks.is_faulty(here) != breaks.is_faulty(next))
       needed[i] = needed[i + 1] = true;
   }
-  if (const auto onset = study::collapse_onset(test.stored); onset && !shear.empty()) {
-    const auto at = std::ranges::min_element(
-        shear, {}, [&](const lab::State& s) { return std::llabs(s.reading - onset->reading); });
-    needed[static_cast<std::size_t>(at - shear.begin())] = true;
-  }
+  for (const auto& instant :
+       {study::collapse_onset(test.stored), test.stored.summary.collapse.loss_of_control})
+    if (const auto at = study::nearest_state(shear, instant))
+      needed[static_cast<std::size_t>(std::ranges::find(shear, at->reading, &lab::State::reading) -
+                                      shear.begin())] = true;
   std::vector<lab::State> kept;
   for (std::size_t i = 0; i < shear.size(); ++i)
     if (needed[i]) kept.push_back(shear[i]);

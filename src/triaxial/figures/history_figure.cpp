@@ -94,7 +94,9 @@ Mark mark_for(const study::HistoryMark& mark) {
   using enum study::HistoryMarkKind;
   switch (mark.kind) {
     case onset:
-      return {mark.at, "onset of collapse", line(kVermilion, 1.3, Qt::DashLine)};
+      return {mark.at, "onset of instability", line(kVermilion, 1.3, Qt::DashLine)};
+    case loss_of_control:
+      return {mark.at, "loss of control", line(kPurple, 1.3, Qt::DashDotLine)};
     case failure:
       return {mark.at, "failure, not collapse", line(kGrey, 1.3, Qt::DashLine)};
     case true_onset:

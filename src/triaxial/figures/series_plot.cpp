@@ -22,15 +22,20 @@ QCPScatterStyle onset_marker() {
   return {QCPScatterStyle::ssCircle, line(kVermilion, 1.6), QBrush(Qt::white), 8};
 }
 
+QCPScatterStyle loss_of_control_marker() {
+  return {QCPScatterStyle::ssDiamond, line(kPurple, 1.6), QBrush(Qt::white), 9};
+}
+
 void name_series(QCPAxisRect& rect, const std::vector<study::SeriesTest>& tests) {
   if (tests.size() > kMostNamed)
     draw_curve(rect, {}, series_pen(0, tests.size()), std::to_string(tests.size()) + " tests");
   else
     for (std::size_t i = 0; i < tests.size(); ++i)
       draw_curve(rect, {}, curve_pen(i), tests[i].name);
-  if (std::any_of(tests.begin(), tests.end(),
-                  [](const auto& test) { return test.onset.has_value(); }))
-    draw_markers(rect, {}, onset_marker(), "onset of collapse");
+  if (std::ranges::any_of(tests, [](const auto& test) { return test.onset.has_value(); }))
+    draw_markers(rect, {}, onset_marker(), "onset of instability");
+  if (std::ranges::any_of(tests, [](const auto& test) { return test.loss_of_control.has_value(); }))
+    draw_markers(rect, {}, loss_of_control_marker(), "loss of control");
 }
 
 Points points_of(const std::vector<lab::State>& states, StateValue x, StateValue y, double x_most) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Curves of several tests in one plane: one look a test, a common mark at the onset of collapse.
+// Curves of several tests in one plane: one look a test, common marks at the two instants.
 #include <qcustomplot.h>
 
 #include <limits>
@@ -14,14 +14,16 @@
 
 namespace triax::src {
 
-/// A ring at each onset.
+/// A ring at each onset of instability.
 QCPScatterStyle onset_marker();
+/// A diamond at each loss of control.
+QCPScatterStyle loss_of_control_marker();
 
 /// Of more tests than these the curves have one look and one entry of the legend, and only some are
 /// named in words.
 inline constexpr std::size_t kMostNamed = 12;
 
-/// Entries of the legend: a curve a test, and the onset if any test has one.
+/// Entries of the legend: a curve a test, the onset and the loss of control if any test has one.
 void name_series(QCPAxisRect& rect, const std::vector<study::SeriesTest>& tests);
 
 /// What an axis shows of a state, in the unit of the axis; NaN where it is not known.

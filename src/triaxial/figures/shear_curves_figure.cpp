@@ -21,19 +21,22 @@ constexpr double kLargestDetail = 0.6;  // of the whole
 
 double strain_pct(const lab::State& state) { return state.strain.axial * 100; }
 
-Points onsets_of(const study::ShearSeries& series) {
-  Points onsets;
+Points places_of(const study::ShearSeries& series,
+                 std::optional<lab::Instant> study::SeriesTest::*instant) {
+  Points places;
   for (const auto& test : series.tests)
-    if (const auto& onset = test.onset; onset && onset->axial_strain && onset->q_pa)
-      onsets.emplace_back(*onset->axial_strain * 100, *onset->q_pa * 1e-3);
-  return onsets;
+    if (const auto& at = test.*instant; at && at->axial_strain && at->q_pa)
+      places.emplace_back(*at->axial_strain * 100, *at->q_pa * 1e-3);
+  return places;
 }
 
 void fill(QCPAxisRect& rect, const study::ShearSeries& series, double strain_most) {
   for (std::size_t i = 0; i < series.tests.size(); ++i)
     draw_series(rect, line_of(series.tests[i], strain_pct, q_kPa, strain_most), i,
                 series.tests.size());
-  draw_markers(rect, onsets_of(series), onset_marker());
+  draw_markers(rect, places_of(series, &study::SeriesTest::onset), onset_marker());
+  draw_markers(rect, places_of(series, &study::SeriesTest::loss_of_control),
+               loss_of_control_marker());
 }
 
 /// The last strain in the detail, with a margin: after a run-away there may be none near its end.

@@ -21,13 +21,16 @@ double axial_pct(const lab::State& state) { return state.strain.axial * 100; }
 double volumetric_pct(const lab::State& state) { return state.volumetric_strain * 100; }
 
 void fill(QCPAxisRect& rect, const std::vector<study::SeriesTest>& tests, StateValue value) {
-  Points onsets;
+  Points onsets, losses;
   for (std::size_t i = 0; i < tests.size(); ++i) {
     draw_series(rect, line_of(tests[i], p_kPa, value), i, tests.size());
     if (const auto& state = tests[i].at_onset; state && std::isfinite(value(*state)))
       onsets.emplace_back(p_kPa(*state), value(*state));
+    if (const auto& state = tests[i].at_loss_of_control; state && std::isfinite(value(*state)))
+      losses.emplace_back(p_kPa(*state), value(*state));
   }
   draw_markers(rect, onsets, onset_marker());
+  draw_markers(rect, losses, loss_of_control_marker());
 }
 
 }  // namespace

@@ -73,9 +73,12 @@ Drawing stress_path_figure(const study::StressPath& path) {
   std::vector<PointLabel> labels;
   if (path.onset) {
     const QPointF at = place(*path.onset);
-    mark(*plot, at, QCPScatterStyle::ssCircle, kVermilion, "onset of collapse");
+    mark(*plot, at, QCPScatterStyle::ssCircle, kVermilion, "onset of instability");
     labels.push_back({at.x(), at.y(), fmt::format("η = {:.2f}", path.onset->eta()), kVermilion});
   }
+  if (path.loss_of_control)
+    mark(*plot, place(*path.loss_of_control), QCPScatterStyle::ssDiamond, kPurple,
+         "loss of control");
   if (path.failure)
     mark(*plot, place(*path.failure), QCPScatterStyle::ssSquare, kGrey, "failure, not collapse");
   if (path.true_onset)

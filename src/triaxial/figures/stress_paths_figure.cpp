@@ -14,6 +14,15 @@ namespace {
 
 constexpr int kStressPathsWidth = 720, kStressPathsHeight = 480 + kNoteHeight;
 
+Points places_of(const study::ShearSeries& series,
+                 std::optional<lab::Instant> study::SeriesTest::*instant) {
+  Points places;
+  for (const auto& test : series.tests)
+    if (const auto at = study::stress_at(test.*instant))
+      places.emplace_back(at->p_pa * 1e-3, at->q_pa * 1e-3);
+  return places;
+}
+
 }  // namespace
 
 Drawing stress_paths_figure(const study::ShearSeries& series) {
@@ -45,11 +54,9 @@ Drawing stress_paths_figure(const study::ShearSeries& series) {
   note_below(*plot, origin_note(series.origin));
   plot->replot();  // the layout gives pixels their meaning
   for (std::size_t i = 0; i < paths.size(); ++i) draw_series(rect, paths[i], i, paths.size());
-  Points onsets;
-  for (const auto& test : series.tests)
-    if (const auto onset = study::stress_at(test.onset))
-      onsets.emplace_back(onset->p_pa * 1e-3, onset->q_pa * 1e-3);
-  draw_markers(rect, onsets, onset_marker());
+  draw_markers(rect, places_of(series, &study::SeriesTest::onset), onset_marker());
+  draw_markers(rect, places_of(series, &study::SeriesTest::loss_of_control),
+               loss_of_control_marker());
   return {std::move(plot),
           fmt::format("Effective stress paths in shear of {}{}.", names_of(series.tests),
                       lines.empty() ? std::string("; no collapse point")

@@ -31,7 +31,7 @@ Mark mark_of_warning(const study::WarningMark& mark) {
     case lost:
       return {mark.at, "lost: known", line(kGreen, 1.3, Qt::DashLine)};
     case onset:
-      return {mark.at, "onset of collapse", line(kVermilion, 1.3)};
+      return {mark.at, "onset of instability", line(kVermilion, 1.3)};
     case failure:
       return {mark.at, "failure, not collapse", line(kGrey, 1.3)};
     case true_onset:

@@ -134,6 +134,7 @@ OwnPlot set_figure(const std::vector<const SheetTest*>& tests, const SheetAxis& 
     if (curves[i].points.empty()) continue;
     figure.marker(failure_in(*tests[i], x, y), failure_marker());
     figure.marker(onset_in(*tests[i], x, y), onset_ring());
+    figure.marker(loss_of_control_in(*tests[i], x, y), loss_of_control_diamond());
   }
   return figure.take();
 }

@@ -93,6 +93,7 @@ SheetBox specimens_box(const TestSet& set) {
     box.table.columns.push_back({column.heading, Align::right});
   box.table.columns.push_back({"collapse", Align::right});
   box.table.columns.push_back({"η at onset", Align::right});
+  box.table.columns.push_back({"at loss of control", Align::right});
   for (const auto* test : set.tests) {
     const auto& stored = test->result.stored;
     std::vector<std::string> row = {
@@ -103,6 +104,8 @@ SheetBox specimens_box(const TestSet& set) {
     const auto onset = study::collapse_onset(stored);
     row.push_back(kind_word(stored));
     row.push_back(blank_if_unknown(onset ? onset->eta() : std::nullopt, 3));
+    const auto& lost = stored.summary.collapse.loss_of_control;
+    row.push_back(blank_if_unknown(lost ? lost->eta() : std::nullopt, 3));
     box.table.rows.push_back(std::move(row));
   }
   return box;

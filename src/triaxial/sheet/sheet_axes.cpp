@@ -65,6 +65,12 @@ Points onset_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y) {
   return point_in(*test.result.stored.state_at_onset, x, y);
 }
 
+Points loss_of_control_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y) {
+  const auto state = study::nearest_state(test.result.curves.states,
+                                          test.result.stored.summary.collapse.loss_of_control);
+  return state ? point_in(*state, x, y) : Points{};
+}
+
 JoinedLine line_in(const SheetTest& test, const std::vector<lab::State>& states, const SheetAxis& x,
                    const SheetAxis& y) {
   return joined_line(states, test.result.curves.breaks, [&](const lab::State& state) {

@@ -32,6 +32,8 @@ JoinedLine line_in(const SheetTest& test, const std::vector<lab::State>& states,
 Points failure_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y);
 /// The state nearest to the onset: the onset itself lacks what figures show beside stresses.
 Points onset_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y);
+/// The state of the curves that is nearest to the loss of control.
+Points loss_of_control_in(const SheetTest& test, const SheetAxis& x, const SheetAxis& y);
 /// Outflow over √t (√min) of the consolidation: cm³, or % of ε_v where the record has no water;
 /// none of fewer than three readings.
 Points consolidation_points(const SheetTest& test);

@@ -8,6 +8,7 @@
 #include "src/output/words.hpp"
 #include "src/study/sheet/deviations.hpp"
 #include "src/study/sheet/specimen_phases.hpp"
+#include "src/triaxial/facts/collapse_fact.hpp"
 #include "src/triaxial/facts/cyclic_fact.hpp"
 #include "src/triaxial/facts/verdict_fact.hpp"
 #include "src/triaxial/sheet/test_sheet.hpp"
@@ -224,20 +225,32 @@ SheetBox failure_box(const SheetTest& test) {
   return box;
 }
 
+/// "η 0.731 to 0.752 with 95 %; detected at reading 330, 33.0 s; 5 readings later"
+std::string known_and_interval(const lab::Instant& at,
+                               const std::optional<lab::Moment>& detected_at) {
+  std::string line = detected_line(at, detected_at);
+  if (!at.interval) return line;
+  return fmt::format("η {:.3f} to {:.3f} with 95 %; {}", at.interval->eta.low,
+                     at.interval->eta.high, line);
+}
+
 SheetBox verdict_box(const SheetTest& test) {
   const auto& stored = test.result.stored;
   const auto& collapse = stored.summary.collapse;
   SheetBox box{.title = "Collapse", .marked = study::has_verdict(stored) && collapse.detected()};
   box.facts.push_back({"result", {verdict_line(stored)}});
   if (const auto onset = study::collapse_onset(stored)) {
-    box.facts.push_back({"onset", {instant(*onset)}});
-    if (onset->interval)
-      box.facts.push_back(
-          {"η with 95 %",
-           {fmt::format("{:.3f} to {:.3f}", onset->interval->eta.low, onset->interval->eta.high)}});
+    box.facts.push_back(
+        {"onset of instability",
+         {instant(*onset), known_and_interval(*onset, collapse.onset_detected_at)}});
     box.facts.push_back({"limit surface", {inside_limit_surface_or_reason(collapse)}});
   } else if (const auto at = study::failure_onset(stored)) {
     box.facts.push_back({"strength lost from", {instant(*at)}});
+  }
+  if (const auto& lost = collapse.loss_of_control) {
+    box.facts.push_back(
+        {"loss of control",
+         {instant(*lost), known_and_interval(*lost, collapse.loss_of_control_detected_at)}});
   }
   std::string criteria;
   for (const auto& c : collapse.criteria)

@@ -26,6 +26,7 @@ OwnPlot shear_figure(const SheetTest& test, const SheetAxis& x, const SheetAxis&
   figure.curve(curve, line(kBlue, 1.8));
   figure.marker(failure_in(test, x, y), failure_marker());
   figure.marker(onset_in(test, x, y), onset_ring());
+  figure.marker(loss_of_control_in(test, x, y), loss_of_control_diamond());
   return figure.take();
 }
 
@@ -42,6 +43,7 @@ OwnPlot path_figure(const SheetTest& test) {
   figure.curve(shear, line(kBlue, 1.8));
   figure.marker(failure_in(test, p_axis(), q_axis()), failure_marker());
   figure.marker(onset_in(test, p_axis(), q_axis()), onset_ring());
+  figure.marker(loss_of_control_in(test, p_axis(), q_axis()), loss_of_control_diamond());
   return figure.take();
 }
 
@@ -81,6 +83,7 @@ OwnPlot void_ratio_figure(const SheetTest& test) {
   figure.curve(shear, line(kBlue, 1.8));
   figure.marker(failure_in(test, x, y), failure_marker());
   figure.marker(onset_in(test, x, y), onset_ring());
+  figure.marker(loss_of_control_in(test, x, y), loss_of_control_diamond());
   return figure.take();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Small figures of a sheet. A square is failure, a ring the onset of collapse, in all of them.
+// Small figures of a sheet. In all of them a square is failure, a ring the onset of
+// instability, a diamond the loss of control.
 #include <QString>
 #include <optional>
 #include <string>

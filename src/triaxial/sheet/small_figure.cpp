@@ -19,6 +19,9 @@ QCPScatterStyle failure_marker() {
 QCPScatterStyle onset_ring() {
   return {QCPScatterStyle::ssCircle, line(kVermilion, 1.6), QBrush(Qt::white), 8};
 }
+QCPScatterStyle loss_of_control_diamond() {
+  return {QCPScatterStyle::ssDiamond, line(kPurple, 1.6), QBrush(Qt::white), 9};
+}
 
 SmallFigure::SmallFigure(const std::string& x, const std::string& y)
     : plot_(make_plot(kWidth, kHeight)) {

@@ -15,9 +15,11 @@ namespace triax::src {
 
 inline constexpr int kSmallFigureHeight = 240;  ///< px, at kSheetFigureWidth
 
-/// In all figures of a sheet: failure is a square, the onset of collapse a ring.
+/// In all figures of a sheet: failure is a square, the onset of instability a ring, the loss of
+/// control a diamond.
 QCPScatterStyle failure_marker();
 QCPScatterStyle onset_ring();
+QCPScatterStyle loss_of_control_diamond();
 
 /// A figure of a third of the page: first what it spans is taken in, then its ranges are fixed,
 /// then it is drawn.

@@ -104,6 +104,59 @@ TEST_CASE("beside the fitted onset stands its reading; cycles of load where ther
   CHECK(d["cyclic"]["liquefied"].is_null());
 }
 
+TEST_CASE("json_report: loss of control beside the onset, null without one", "[report]") {
+  auto test = test::flow_test();
+  const json none = json::parse(json_report({test}))["collapse"];
+  REQUIRE(none.contains("loss_of_control"));
+  CHECK(none["loss_of_control"].is_null());
+  CHECK(none["total_interval"].is_null());
+  CHECK(none["uncertainty_budget"].is_null());
+  CHECK(json::parse(json_of_instants(test.stored))["loss_of_control"].is_null());
+
+  auto& collapse = test.stored.summary.collapse;
+  collapse.loss_of_control = triax::lab::Instant{340, 34.0, 0.006, 50e3, 80e3, 380e3};
+  collapse.loss_of_control->interval = {{49e3, 51e3}, {78e3, 82e3}, {0.6, 0.65}};
+  collapse.loss_of_control_detected_at = triax::lab::Moment{342, 34.2};
+  collapse.onset->total = {.interval = {{55e3, 65e3}, {90e3, 110e3}, {0.5, 0.7}},
+                           .budget = {{"gain of the load cell", 0.6}}};
+  const json c = json::parse(json_report({test}))["collapse"];
+  const json& lost = c["loss_of_control"];
+  CHECK(lost["reading"] == 340);
+  CHECK(lost["time_s"] == 34.0);
+  CHECK(lost["axial_strain"] == 0.006);
+  CHECK(lost["q_kPa"].get<double>() == Approx(50));
+  CHECK(lost["pore_pressure_kPa"].get<double>() == Approx(380));
+  CHECK(lost["eta"].get<double>() == Approx(0.625));
+  CHECK(lost["eta_low"] == 0.6);
+  CHECK(lost["detected_at"]["reading"] == 342);
+  CHECK(c["total_interval"]["eta_high"] == 0.7);
+  CHECK(c["total_interval"]["q_low_kPa"].get<double>() == Approx(55));
+  CHECK(c["uncertainty_budget"][0]["name"] == "gain of the load cell");
+  CHECK(c["uncertainty_budget"][0]["share"] == 0.6);
+  const json both = json::parse(json_of_instants(test.stored));
+  CHECK(both["loss_of_control"] == lost);
+  CHECK(both["onset"]["reading"] == c["reading"]);
+  CHECK(both["onset"]["total_interval"]["eta_low"] == 0.5);
+}
+
+TEST_CASE("json_report: the truth has both instants", "[report]") {
+  auto test = test::simulated_test();
+  const auto truth = [&] {
+    return json::parse(json_report({test}))["collapse"]["truth"]["loss_of_control"];
+  };
+  CHECK(truth().is_null());
+  auto& run_aways = test.stored.summary.truth->run_aways;
+  run_aways = {{.start_s = 29.95}};  // that of the onset
+  CHECK(truth()["time_s"] == 29.95);
+  CHECK(truth()["q_kPa"].get<double>() == Approx(60));
+  run_aways = {{.start_s = 40}};
+  CHECK(truth()["time_s"] == 40.0);
+  CHECK(truth()["q_kPa"].is_null());
+  run_aways[0].q_pa = 55e3;
+  run_aways[0].p_eff_pa = 50e3;
+  CHECK(truth()["eta"].get<double>() == Approx(1.1));
+}
+
 TEST_CASE("events say of which reading they speak and at which they were known") {
   auto test = test::flow_test();
   CHECK(json::parse(json_report({test}))["events"].empty());

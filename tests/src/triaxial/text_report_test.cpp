@@ -66,7 +66,8 @@ TEST_CASE("each test says its evidence, its doubts and that it is simulated or i
 
 TEST_CASE("beside an onset stands where it lies with 95 %, and when it was known") {
   auto test = test::flow_test();
-  CHECK(holds(text_report({test}), "Detected not before the record ended"));
+  CHECK(holds(text_report({test}), "detected only when the record had ended"));
+  CHECK(holds(text_report({test}), "Loss of control none"));
   auto& collapse = test.stored.summary.collapse;
   collapse.onset->interval = {{58e3, 61e3}, {96e3, 104e3}, {0.57, 0.62}};
   collapse.onset_detected_at = triax::lab::Moment{330, 33.0};
@@ -76,6 +77,40 @@ TEST_CASE("beside an onset stands where it lies with 95 %, and when it was known
   const std::string text = text_report({test});
   CHECK(holds(text, "loss of sustainability 301 30.1 s 335 33.5 s q fell away"));
   CHECK(holds(text, "with 95 %: η 0.570 to 0.620, q 58.0 to 61.0 kPa, p′ 96.0 to 104.0 kPa"));
-  CHECK(holds(text, "Detected at reading 330, 33.0 s; 30 readings after the onset"));
+  CHECK(holds(text, "detected at reading 330, 33.0 s; 30 readings later"));
   CHECK(holds(text, "340"));
+}
+
+TEST_CASE("text_report: loss of control with values, interval and detected at", "[report]") {
+  auto test = test::flow_test();
+  auto& collapse = test.stored.summary.collapse;
+  CHECK(holds(text_report({test}), "Onset of instability"));
+  collapse.loss_of_control = triax::lab::Instant{340, 34.0, 0.006, 50e3, 80e3, 380e3};
+  collapse.loss_of_control->interval = {{49e3, 51e3}, {78e3, 82e3}, {0.6, 0.65}};
+  collapse.loss_of_control_detected_at = triax::lab::Moment{341, 34.1};
+  std::string text = text_report({test});
+  CHECK(holds(text, "Loss of control reading 340"));
+  CHECK(holds(text, "with 95 %: η 0.600 to 0.650, q 49.0 to 51.0 kPa, p′ 78.0 to 82.0 kPa"));
+  CHECK(holds(text, "detected at reading 341, 34.1 s; one reading later"));
+  collapse.judged = false;  // it was seen all the same
+  collapse.kind = triax::lab::CollapseKind::none;
+  CHECK(holds(text_report({test}), "Loss of control reading 340"));
+}
+
+TEST_CASE("text_report: the total uncertainty with its largest source", "[report]") {
+  auto test = test::flow_test();
+  CHECK_FALSE(holds(text_report({test}), "total uncertainty"));
+  test.stored.summary.collapse.onset->total = {
+      .interval = {{55e3, 65e3}, {90e3, 110e3}, {0.5, 0.7}},
+      .budget = {{"noise", 0.2}, {"gain of the load cell", 0.8}}};
+  CHECK(holds(
+      text_report({test}),
+      "total uncertainty: η 0.500 to 0.700; largest source: gain of the load cell, 80 %"));
+}
+
+TEST_CASE("text_report: the true loss of control of a simulated test", "[report]") {
+  auto test = test::simulated_test();
+  CHECK_FALSE(holds(text_report({test}), "True loss of control"));
+  test.stored.summary.truth->run_aways = {{.start_s = 40, .q_pa = 55e3, .p_eff_pa = 50e3}};
+  CHECK(holds(text_report({test}), "True loss of control 40.0 s, q 55.0 kPa, p′ 50.0 kPa, η 1.10"));
 }

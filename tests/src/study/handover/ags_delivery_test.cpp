@@ -69,6 +69,19 @@ TEST_CASE("an undrained test as TREG and TRET, by hand") {
   CHECK(lab::ags_text(lab::read_ags_document(*lab::open_memory("x.ags", bytes))) == bytes);
 }
 
+TEST_CASE("ags_delivery: the loss of control has a heading and a remark", "[ags]") {
+  auto test = undrained(src::test::flow_test());
+  CHECK(cell(ags_delivery({test}, {}, "2026-11-25"), "TRET_ETAL") == "(none)");
+  test.stored.summary.collapse.loss_of_control =
+      lab::Instant{340, 34.0, 0.0623, 50e3, 80e3, 380e3};
+  const auto document = ags_delivery({test}, {}, "2026-11-25");
+  CHECK(cell(document, "TRET_ETAL") == "0.625");
+  CHECK(cell(document, "TREG_REM").find("onset of instability at an axial strain of") !=
+        std::string::npos);
+  CHECK(cell(document, "TREG_REM").find("loss of control at an axial strain of 6.23 %") !=
+        std::string::npos);
+}
+
 TEST_CASE("a test that was not judged says so and has no stress ratio; a simulated one says so") {
   const auto cut = ags_delivery({undrained(src::test::interrupted_test())}, {}, "2026-11-25");
   CHECK(cell(cut, "TRET_KIND") == "not assessed");

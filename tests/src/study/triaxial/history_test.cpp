@@ -114,6 +114,16 @@ TEST_CASE("onset, true onset and failure are marked where they lie in the span")
   CHECK(found->marks[0].kind == HistoryMarkKind::failure);
 }
 
+TEST_CASE("history: the loss of control is marked beside the onset", "[study]") {
+  auto test = sample::simulated_test();
+  test.stored.summary.truth.reset();
+  test.stored.summary.collapse.loss_of_control = lab::Instant{.reading = 320, .time_s = 32.0};
+  const auto found = history(test, Span::shear);
+  REQUIRE(found->marks.size() == 2);
+  CHECK(found->marks[1].kind == HistoryMarkKind::loss_of_control);
+  CHECK(found->marks[1].at == Approx(32));
+}
+
 TEST_CASE("a test without states or without anything measured has no history") {
   auto nothing = sample::stable_test();
   for (auto& state : nothing.curves.states) {

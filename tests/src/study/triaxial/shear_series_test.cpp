@@ -48,6 +48,18 @@ TEST_CASE("the drainage of a shear is what its stages say, and what moved where 
   CHECK(of({{1, std::nan("")}, {1, std::nan("")}}) == Drainage::closed);
 }
 
+TEST_CASE("shear_series: the state at the loss of control is the nearest", "[study]") {
+  auto test = sample::flow_test();
+  CHECK_FALSE(shear_series({test}).tests[0].at_loss_of_control);
+  test.stored.summary.collapse.loss_of_control = lab::Instant{.reading = 341};
+  const auto series = shear_series({test});
+  REQUIRE(series.tests[0].loss_of_control);
+  REQUIRE(series.tests[0].at_loss_of_control);
+  CHECK(series.tests[0].at_loss_of_control->reading == 341);
+  CHECK_FALSE(nearest_state({}, lab::Instant{}));
+  CHECK_FALSE(nearest_state(test.curves.states, std::nullopt));
+}
+
 TEST_CASE("a series leaves out other stages than shear") {
   auto test = sample::flow_test();
   test.stored.header.stages.push_back(

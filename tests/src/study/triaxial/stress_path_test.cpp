@@ -45,6 +45,14 @@ TEST_CASE("onset, failure and true onset are where they are known") {
   CHECK_FALSE(stable.failure);
 }
 
+TEST_CASE("stress_path: the loss of control is where it is known", "[study]") {
+  auto test = sample::flow_test();
+  CHECK_FALSE(stress_path(test).loss_of_control);
+  test.stored.summary.collapse.loss_of_control = lab::Instant{.q_pa = 50e3, .p_eff_pa = 80e3};
+  REQUIRE(stress_path(test).loss_of_control);
+  CHECK(stress_path(test).loss_of_control->p_pa == 80e3);
+}
+
 TEST_CASE("an instant without a stress ratio has no place on a stress path") {
   lab::Instant instant;
   CHECK_FALSE(stress_at(std::nullopt));

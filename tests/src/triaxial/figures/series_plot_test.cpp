@@ -41,7 +41,12 @@ TEST_CASE("the legend has an entry a test, and the onset where there is one") {
   name_series(*collapsed->axisRect(), {test, named("stable")});
   name_series(*stable->axisRect(), {named("stable")});
   CHECK(src::test::legend_of(*collapsed) ==
-        std::vector<std::string>{"loose", "stable", "onset of collapse"});
+        std::vector<std::string>{"loose", "stable", "onset of instability"});
+  auto both = make_plot(400, 300);
+  test.loss_of_control = lab::Instant{};
+  name_series(*both->axisRect(), {test});
+  CHECK(src::test::legend_of(*both) ==
+        std::vector<std::string>{"loose", "onset of instability", "loss of control"});
   CHECK(src::test::legend_of(*stable) == std::vector<std::string>{"stable"});
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -79,8 +80,27 @@ TEST_CASE("the sheet says what the JSON report says") {
   const auto collapse = verdict_box(sheet);
   CHECK(collapse.marked == json["collapse"]["detected"].get<bool>());
   CHECK(value(collapse, "result").starts_with(json["collapse"]["kind"].get<std::string>()));
-  CHECK(value(collapse, "onset").find("η " + number(json["collapse"]["eta"], "{:.2f}")) !=
+  CHECK(value(collapse, "onset of instability").find("η " + number(json["collapse"]["eta"], "{:.2f}")) !=
         std::string::npos);
+}
+
+TEST_CASE("verdict_box: the loss of control has its own row", "[sheet]") {
+  auto test = test::flow_test();
+  const auto has_row = [&](const SheetBox& box) {
+    return std::ranges::any_of(box.facts,
+                               [](const Fact& fact) { return fact.label == "loss of control"; });
+  };
+  CHECK_FALSE(has_row(verdict_box(test::sheet_of(test))));
+  auto& collapse = test.stored.summary.collapse;
+  collapse.loss_of_control = lab::Instant{340, 34.0, 0.006, 50e3, 80e3, 380e3};
+  collapse.loss_of_control->interval = {{49e3, 51e3}, {78e3, 82e3}, {0.6, 0.65}};
+  const auto box = verdict_box(test::sheet_of(test));
+  REQUIRE(has_row(box));
+  const auto row = std::ranges::find(box.facts, "loss of control", &Fact::label);
+  REQUIRE(row->lines.size() == 2);
+  CHECK(row->lines[0].find("340") != std::string::npos);
+  CHECK(row->lines[1] ==
+        "η 0.600 to 0.650 with 95 %; detected only when the record had ended");
 }
 
 TEST_CASE("what nobody says is a blank, what is simulated is marked") {
