@@ -107,6 +107,10 @@ py::object report_of(const StoredTest& test) {
   return document(json);
 }
 
+py::object instant_of(const StoredTest& test, const char* key) {
+  return document(src::json_of_instants(test.stored))[key];
+}
+
 std::string words_of(const StoredTest& test) {
   return "<triax.Test " + std::to_string(test.stored.id) + " '" + test.stored.header.name + "', " +
          std::string(lab::to_string(test.stored.header.origin)) + ", " +
@@ -134,6 +138,16 @@ void bind_test(py::module_& module) {
                              "Document of triax report --format json: specimen, consolidation, "
                              "peak, collapse, events, checks,\n"
                              "warnings. Units are part of the names. An unknown value is None.")
+      .def_property_readonly(
+          "onset", [](const StoredTest& t) { return instant_of(t, "onset"); },
+          "Onset of instability, None without one: reading, time_s, q_kPa, p_eff_kPa,\n"
+          "pore_pressure_kPa, axial_strain, eta, their 95 % intervals, detected_at, "
+          "total_interval\n"
+          "and uncertainty_budget.")
+      .def_property_readonly(
+          "loss_of_control", [](const StoredTest& t) { return instant_of(t, "loss_of_control"); },
+          "Loss of control, None without one: the reading from which the programme could not be\n"
+          "maintained. Keys as in onset, without the total uncertainty.")
       .def_property_readonly(
           "states",
           [](StoredTest& test) {
