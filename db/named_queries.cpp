@@ -18,7 +18,7 @@ const std::vector<NamedQuery>& named_queries() {
        "SELECT * FROM collapses ORDER BY test_id"},
       {"criteria", "the result of each criterion, with its evidence",
        "SELECT t.id AS test_id, t.name AS test, t.origin, c.name AS criterion, c.detected, "
-       "c.reading, c.time_s, c.eta, c.noticed_reading, c.noticed_time_s, c.evidence "
+       "c.reading, c.time_s, c.eta, c.detected_at_reading, c.detected_at_time_s, c.evidence "
        "FROM criteria c JOIN tests t ON t.id = c.test_id ORDER BY c.id"},
       {"peaks", "the peak of q of every test", "SELECT * FROM peaks ORDER BY test_id"},
       {"instability_line",
@@ -92,7 +92,7 @@ const std::vector<NamedQuery>& named_queries() {
        "FROM stages s JOIN tests t ON t.id = s.test_id ORDER BY t.id, s.number"},
       {"events", "events, in order of detection",
        "SELECT t.id AS test_id, t.name AS test, t.origin, e.reading, e.time_s, e.kind, "
-       "e.noticed_reading, e.noticed_time_s, e.detail "
+       "e.detected_at_reading, e.detected_at_time_s, e.detail "
        "FROM events e JOIN tests t ON t.id = e.test_id ORDER BY t.id, e.id"},
       {"alarms", "first warnings of the alarm that were not withdrawn, with the onset found",
        "SELECT t.id AS test_id, t.name AS test, t.origin, o.level, o.reading, o.time_s, "

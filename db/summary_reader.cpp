@@ -76,7 +76,7 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
       "SELECT kind, inside_limit_surface, second_order_work_normalised, second_order_work_error, "
       "limit_stress_ratio, limit_source, judged_until_reading, judged_until_reason, "
       "judged_from_reading, strength_lost, eta_low, eta_high, q_low_kPa, q_high_kPa, "
-      "p_eff_low_kPa, p_eff_high_kPa, noticed_reading, noticed_time_s, "
+      "p_eff_low_kPa, p_eff_high_kPa, detected_at_reading, detected_at_time_s, "
       "limit_intercept_kPa, total_eta_low, total_eta_high, total_q_low_kPa, total_q_high_kPa, "
       "total_p_eff_low_kPa, total_p_eff_high_kPa, uncertainty_budget, nearest_reading, "
       "nearest_normalised, nearest_error FROM verdicts WHERE test_id = ?",
@@ -105,8 +105,8 @@ void read_collapse(SQLite::Database& database, std::int64_t id, lab::Collapse& c
   if (collapse.onset) collapse.onset->total = total;
   read_loss_of_control(database, id, collapse);
   for_rows(database, id,
-           "SELECT name, detected, reading, time_s, eta, evidence, noticed_reading, "
-           "noticed_time_s FROM criteria WHERE test_id = ? ORDER BY id",
+           "SELECT name, detected, reading, time_s, eta, evidence, detected_at_reading, "
+           "detected_at_time_s FROM criteria WHERE test_id = ? ORDER BY id",
            [&](Columns& c) {
              lab::Criterion& criterion = collapse.criteria.emplace_back();
              criterion.name = c.text();

@@ -151,9 +151,10 @@ void insert_verdict(SQLite::Database& database, std::int64_t id, const lab::Coll
   row.run();
   insert_instant(database, id, "onset", c.onset);
   insert_loss_of_control(database, id, c);
-  Statement criterion(database,
-                      "INSERT INTO criteria (test_id, name, detected, reading, time_s, eta, "
-                      "evidence, noticed_reading, noticed_time_s) VALUES (?,?,?,?,?,?,?,?,?)");
+  Statement criterion(
+      database,
+      "INSERT INTO criteria (test_id, name, detected, reading, time_s, eta, "
+      "evidence, detected_at_reading, detected_at_time_s) VALUES (?,?,?,?,?,?,?,?,?)");
   for (const lab::Criterion& found : c.criteria) {
     Binder of_criterion(criterion);
     of_criterion.integer(id)

@@ -129,17 +129,18 @@ void read_tags(SQLite::Database& database, std::int64_t id, std::vector<std::str
 }
 
 void read_events(SQLite::Database& database, std::int64_t id, std::vector<lab::Event>& events) {
-  for_rows(database, id,
-           "SELECT reading, time_s, kind, detail, noticed_reading, noticed_time_s FROM events "
-           "WHERE test_id = ? ORDER BY id",
-           [&](Columns& c) {
-             lab::Event& event = events.emplace_back();
-             event.reading = c.integer().value_or(0);
-             event.time_s = c.number();
-             event.kind = known(c.text(), lab::event_kind_from);
-             event.detail = c.text();
-             event.detected_at = read_moment(c);
-           });
+  for_rows(
+      database, id,
+      "SELECT reading, time_s, kind, detail, detected_at_reading, detected_at_time_s FROM events "
+      "WHERE test_id = ? ORDER BY id",
+      [&](Columns& c) {
+        lab::Event& event = events.emplace_back();
+        event.reading = c.integer().value_or(0);
+        event.time_s = c.number();
+        event.kind = known(c.text(), lab::event_kind_from);
+        event.detail = c.text();
+        event.detected_at = read_moment(c);
+      });
 }
 
 }  // namespace

@@ -150,9 +150,10 @@ void insert_sweep(SQLite::Database& database, std::int64_t test_id, const SweepM
 }
 
 void insert_event(SQLite::Database& database, std::int64_t test_id, const lab::Event& event) {
-  Statement insert(database,
-                   "INSERT INTO events (test_id, reading, time_s, kind, detail, noticed_reading, "
-                   "noticed_time_s) VALUES (?,?,?,?,?,?,?)");
+  Statement insert(
+      database,
+      "INSERT INTO events (test_id, reading, time_s, kind, detail, detected_at_reading, "
+      "detected_at_time_s) VALUES (?,?,?,?,?,?,?)");
   Binder row(insert);
   row.integer(test_id)
       .integer(event.reading)

@@ -39,7 +39,7 @@ LEFT = (50, 25, 10, 5)
 LEVELS = ("approaching", "imminent", "lost")
 COLUMNS = ["number", "form", "outcome", "readings", "status", "b_value", "truth_lost", "truth_reading", "truth_eta", "truth_q_lost",
            "truth_slip", "least_p", "ideal_lost", "ideal_eta",
-           "fall_reading", "limit_eta", "verdict", "kind", "inside", "reading", "eta", "eta_low", "eta_high", "strength_lost", "noticed_reading",
+           "fall_reading", "limit_eta", "verdict", "kind", "inside", "reading", "eta", "eta_low", "eta_high", "strength_lost", "detected_at_reading",
            *LEVELS, "standing", "withdrawn", *[f"left_{n}" for n in LEFT], "reason"]
 FORCE = {"load", "constant_q"}
 RETURNED = 1.05  # of the strength at the onset
@@ -186,7 +186,7 @@ def result(document, number, form, truth, database, readings=None):
     row = first_at(truth["times"], readings, truth["time_s"]) if truth["lost"] else None
     lost = truth["lost"] and row is not None
     events = [e for e in document["events"] if e["kind"] in LEVELS or e["kind"] == "warning_withdrawn"]
-    levels = {level: next((e["noticed_reading"] for e in events if e["kind"] == level), None) for level in LEVELS}
+    levels = {level: next((e["detected_at_reading"] for e in events if e["kind"] == level), None) for level in LEVELS}
     out = {"number": number, "form": form, "readings": document["test"]["readings"], "status": document["test"]["status"],
            "b_value": (document["consolidation"] or {}).get("b_value"),
            "truth_lost": None if row is not None and row >= len(readings) - 1 else lost, "truth_reading": row, "truth_eta": truth["eta"],
@@ -195,7 +195,7 @@ def result(document, number, form, truth, database, readings=None):
            "fall_reading": first_at(truth["times"], readings, truth["fall_s"]), "limit_eta": truth["limit"],
            "verdict": verdict(collapse), "kind": collapse["kind"], "inside": collapse["inside_limit_surface"], "reading": collapse["reading"],
            "eta": collapse["eta"], "eta_low": collapse["eta_low"], "eta_high": collapse["eta_high"],
-           "strength_lost": collapse["strength_lost"], "noticed_reading": (collapse["noticed"] or {}).get("reading"), **levels,
+           "strength_lost": collapse["strength_lost"], "detected_at_reading": (collapse["detected_at"] or {}).get("reading"), **levels,
            "standing": events[-1]["kind"] if events else "", "withdrawn": sum(e["kind"] == "warning_withdrawn" for e in events),
            "reason": collapse["judged"]["reason"]}
     return out | coverage(database, truth, row)

@@ -39,7 +39,7 @@ def levels_of(test, report):
     changes = {}
     for event in report["events"]:
         if event["kind"] in ("imminent", "lost", "warning_withdrawn", "loss_of_sustainability"):
-            reading = event["noticed_reading"] if event["noticed_reading"] is not None else event["reading"]
+            reading = event["detected_at_reading"] if event["detected_at_reading"] is not None else event["reading"]
             changes[reading] = event["kind"] != "warning_withdrawn"
     level, found = False, []
     for row in range(len(test["rows"])):

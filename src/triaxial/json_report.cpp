@@ -184,8 +184,9 @@ Json criteria_json(const std::vector<lab::Criterion>& criteria) {
          {"reading", maybe(criterion.reading)},
          {"time_s", study::json_number(criterion.time_s)},
          {"eta", study::json_number(criterion.eta)},
-         {"noticed_reading", detected_at ? Json(detected_at->reading) : Json(nullptr)},
-         {"noticed_time_s", study::json_number(detected_at ? detected_at->time_s : std::nullopt)},
+         {"detected_at_reading", detected_at ? Json(detected_at->reading) : Json(nullptr)},
+         {"detected_at_time_s",
+          study::json_number(detected_at ? detected_at->time_s : std::nullopt)},
          {"evidence", study::json_text(criterion.evidence)}});
   }
   return list;
@@ -225,7 +226,7 @@ Json collapse_json(const db::StoredTest& test) {
   put_instant(object, collapse.onset);
   put_interval(object, collapse.onset ? collapse.onset->interval : std::nullopt);
   put_total(object, collapse.onset ? collapse.onset->total : std::nullopt);
-  object["noticed"] = study::moment_json(collapse.onset_detected_at);
+  object["detected_at"] = study::moment_json(collapse.onset_detected_at);
   object["loss_of_control"] =
       known_instant_json(collapse.loss_of_control, collapse.loss_of_control_detected_at);
   object["warning"] = {{"approaching", study::forecast_json(collapse.approaching)},

@@ -181,7 +181,7 @@ TEST_CASE("migrate: an old verdict has no loss of control and keeps its onset", 
       "INSERT INTO run_aways (test_id, number, start_s) VALUES (1, 1, 0.5)");
   db::migrate(database, "t.db");
   CHECK(database
-            .execAndGet("SELECT json_array(reading, eta, eta_low, noticed_reading, "
+            .execAndGet("SELECT json_array(reading, eta, eta_low, detected_at_reading, "
                         "loss_of_control_reading, total_eta_low) FROM collapses")
             .getString() == "[7,0.6,0.5,9,null,null]");
   CHECK(read_int(database, "SELECT q_kPa IS NULL FROM run_aways") == 1);

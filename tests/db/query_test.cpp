@@ -183,7 +183,7 @@ TEST_CASE(
   CHECK(std::get<double>(alarms.rows[0].back()) == Approx(0.6));
   const Table events = ask(path, "events");
   REQUIRE(events.rows.size() == 1);
-  CHECK(events.columns[6] == "noticed_reading");
+  CHECK(events.columns[6] == "detected_at_reading");
   CHECK(std::get<std::int64_t>(events.rows[0][6]) == 8);
 }
 

@@ -53,8 +53,8 @@ def said(told: dict, level: str) -> str:
 def known(collapse: dict) -> str:
     if not collapse["detected"]:
         return "–"
-    noticed = collapse["noticed"]
-    return f"{noticed['reading'] - collapse['reading']} after" if noticed else "when the record had ended"
+    detected_at = collapse["detected_at"]
+    return f"{detected_at['reading'] - collapse['reading']} after" if detected_at else "when the record had ended"
 
 
 def row(told: dict) -> str:

@@ -33,8 +33,8 @@ Json event_json(const lab::Event& event) {
   return {{"kind", to_string(event.kind)},
           {"reading", event.reading},
           {"time_s", json_number(event.time_s)},
-          {"noticed_reading", detected_at ? Json(detected_at->reading) : Json(nullptr)},
-          {"noticed_time_s", json_number(detected_at ? detected_at->time_s : std::nullopt)},
+          {"detected_at_reading", detected_at ? Json(detected_at->reading) : Json(nullptr)},
+          {"detected_at_time_s", json_number(detected_at ? detected_at->time_s : std::nullopt)},
           {"detail", event.detail}};
 }
 

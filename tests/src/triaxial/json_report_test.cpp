@@ -168,11 +168,11 @@ TEST_CASE("events say of which reading they speak and at which they were known")
   CHECK(events[0]["kind"] == "loss_of_sustainability");
   CHECK(events[0]["reading"] == 300);
   CHECK(events[0]["time_s"] == 30.0);
-  CHECK(events[0]["noticed_reading"] == 330);
-  CHECK(events[0]["noticed_time_s"] == 33.0);
+  CHECK(events[0]["detected_at_reading"] == 330);
+  CHECK(events[0]["detected_at_time_s"] == 33.0);
   CHECK(events[0]["detail"] == "fell");
-  CHECK(events[1]["noticed_reading"].is_null());
-  CHECK(events[1]["noticed_time_s"].is_null());
+  CHECK(events[1]["detected_at_reading"].is_null());
+  CHECK(events[1]["detected_at_time_s"].is_null());
 }
 
 TEST_CASE("the interval of the onset and when it was known are told, and null where unknown") {
@@ -180,13 +180,13 @@ TEST_CASE("the interval of the onset and when it was known are told, and null wh
   auto& collapse = test.stored.summary.collapse;
   const json none = json::parse(json_report({test}))["collapse"];
   for (const char* key : {"eta_low", "eta_high", "q_low_kPa", "q_high_kPa", "p_eff_low_kPa",
-                          "p_eff_high_kPa", "noticed"}) {
+                          "p_eff_high_kPa", "detected_at"}) {
     INFO(key);
     REQUIRE(none.contains(key));
     CHECK(none[key].is_null());
   }
-  CHECK(none["criteria"][0]["noticed_reading"].is_null());
-  CHECK(none["criteria"][0]["noticed_time_s"].is_null());
+  CHECK(none["criteria"][0]["detected_at_reading"].is_null());
+  CHECK(none["criteria"][0]["detected_at_time_s"].is_null());
 
   collapse.onset->interval = {{58e3, 61e3}, {96e3, 104e3}, {0.57, 0.62}};
   collapse.onset_detected_at = triax::lab::Moment{330, 33.0};
@@ -198,8 +198,8 @@ TEST_CASE("the interval of the onset and when it was known are told, and null wh
   CHECK(c["q_high_kPa"].get<double>() == Approx(61));
   CHECK(c["p_eff_low_kPa"].get<double>() == Approx(96));
   CHECK(c["p_eff_high_kPa"].get<double>() == Approx(104));
-  CHECK(c["noticed"]["reading"] == 330);
-  CHECK(c["noticed"]["time_s"] == 33.0);
-  CHECK(c["criteria"][0]["noticed_reading"] == 340);
-  CHECK(c["criteria"][0]["noticed_time_s"].is_null());
+  CHECK(c["detected_at"]["reading"] == 330);
+  CHECK(c["detected_at"]["time_s"] == 33.0);
+  CHECK(c["criteria"][0]["detected_at_reading"] == 340);
+  CHECK(c["criteria"][0]["detected_at_time_s"].is_null());
 }

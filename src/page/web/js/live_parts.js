@@ -79,7 +79,7 @@ const MOST_EVENTS = 200;
 
 /** The newest first; one that stands in the list already is left out, and false is said. */
 export function addEvent(list, event) {
-  const key = [event.kind, event.reading, event.noticed_reading, event.detail].join(" ");
+  const key = [event.kind, event.reading, event.detected_at_reading, event.detail].join(" ");
   if ([...list.children].some((item) => item.dataset.key === key)) return false;
   list.prepend(el("li", { data: { kind: event.kind, key } }, el("span", { class: `tag ${isLoss(event) || event.kind === "imminent" ? "alarm" : event.kind === "approaching" ? "care" : ""}` }, words(event.kind)), " ",
     el("span", { class: "quiet" }, `${time(event.time_s)}, reading ${event.reading}`), el("div", {}, event.detail)));

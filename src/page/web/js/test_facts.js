@@ -30,7 +30,7 @@ export function verdictPanel({ collapse, test }) {
   const figures = collapse.detected ? [
     figure("onset of instability at η = q/p′", within(collapse.eta, collapse.eta_low, collapse.eta_high)),
     figure("φ_mob", `${fixed(collapse.phi_mob_deg, 1)}°`),
-    figure("when", time(collapse.time_s), el("small", {}, ` reading ${collapse.reading}${collapse.noticed ? `, detected at reading ${collapse.noticed.reading}` : ""}`)),
+    figure("when", time(collapse.time_s), el("small", {}, ` reading ${collapse.reading}${collapse.detected_at ? `, detected at reading ${collapse.detected_at.reading}` : ""}`)),
     figure("axial strain ε₁", percent(collapse.axial_strain)),
     figure("p′, q", `${fixed(collapse.p_eff_kPa)}, ${fixed(collapse.q_kPa)} `, el("small", {}, "kPa")),
     figure("W₂ normalised", `${fixed(collapse.second_order_work_normalised, 3)}${collapse.second_order_work_error === null ? "" : ` ± ${fixed(collapse.second_order_work_error, 3)}`}`),
@@ -50,7 +50,7 @@ export function criteriaTable({ collapse }) {
   return table("Criteria", [["Criterion"], ["Detected"], ["Reading", "number"], ["Time", "number"], ["η", "number"], ["Detected at", "number"], ["Evidence"]],
     (collapse.criteria ?? []).map((c) => el("tr", {}, el("th", { scope: "row", "data-label": "Criterion" }, words(c.name)),
       cell("Detected", el("span", { class: `tag ${c.detected ? "alarm" : c.detected === false ? "good" : ""}` }, judgement(c.detected))),
-      number("Reading", c.reading ?? DASH), number("Time", time(c.time_s)), number("η", fixed(c.eta, 2)), number("Detected at", c.noticed_reading ?? DASH),
+      number("Reading", c.reading ?? DASH), number("Time", time(c.time_s)), number("η", fixed(c.eta, 2)), number("Detected at", c.detected_at_reading ?? DASH),
       el("td", { class: "long", "data-label": "Evidence" }, c.evidence ?? ""))));
 }
 
