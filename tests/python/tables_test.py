@@ -37,6 +37,18 @@ class Tables(InAFolder):
                 compared += 1
         self.assertGreaterEqual(compared, 8)
 
+    def test_both_instants_are_those_of_the_report(self):
+        collapse = self.test.report["collapse"]
+        self.assertEqual(self.test.onset["reading"], collapse["reading"])
+        self.assertEqual(self.test.onset["eta_low"], collapse["eta_low"])
+        self.assertEqual(self.test.onset["detected_at"], collapse["detected_at"])
+        self.assertIsNone(self.test.loss_of_control)  # a prescribed displacement
+        held = triax.simulate(SAMPLES / "programmes/csu_26.toml", self.db)
+        self.assertEqual(held.loss_of_control, held.report["collapse"]["loss_of_control"])
+        self.assertGreater(held.loss_of_control["reading"], held.onset["reading"])
+        self.assertGreater(held.loss_of_control["q_kPa"], 0)
+        self.assertGreaterEqual(held.loss_of_control["detected_at"]["reading"], held.loss_of_control["reading"])
+
     def test_work_is_negative_after_the_onset_only(self):
         work, onset = self.test.second_order_work, self.test.report["collapse"]["reading"]
         self.assertTrue((abs(work.normalised) <= 1).all())
