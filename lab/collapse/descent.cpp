@@ -142,7 +142,8 @@ void DescentTracker::open(const PathPoint& point) {
                       .axial_strain_last = onset.axial_strain,
                       .drained = conditions_.drained,
                       .by_displacement = conditions_.by_displacement,
-                      .closed = conditions_.closed};
+                      .closed = conditions_.closed,
+                      .held_q = conditions_.held_q};
   }
   follow(point);
 }

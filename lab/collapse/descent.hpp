@@ -35,6 +35,7 @@ struct Descent {
   bool drained = false;
   bool by_displacement = false;  ///< a frame moved the axis, and q was free to fall
   bool closed = false;           ///< the valve was: volume changes with the pore pressure
+  bool held_q = false;           ///< q was held
   /// What is strong later is another specimen: consolidated anew, or with water let in or out.
   bool settled = false;
   bool ended = false;      ///< with its stage, or because
@@ -53,7 +54,7 @@ class DescentTracker {
   struct Conditions {
     bool drained = false, by_displacement = false;  ///< see Descent
     bool another_specimen = false;                  ///< than before
-    bool closed = false;                            ///< see Descent
+    bool closed = false, held_q = false;            ///< likewise
   };
   void add(const PathPoint& point);
   /// The descent that cost most strength so far; a descent that begins before the strength lost in

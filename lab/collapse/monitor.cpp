@@ -18,6 +18,7 @@
 #include "lab/collapse/placed_bursts.hpp"
 #include "lab/collapse/second_order_work.hpp"
 #include "lab/collapse/servo_search.hpp"
+#include "lab/collapse/total_uncertainty.hpp"
 #include "lab/collapse/verdict.hpp"
 #include "lab/collapse/zero_stress.hpp"
 #include "lab/measured/axis_rest.hpp"
@@ -407,28 +408,30 @@ Collapse CollapseMonitor::Impl::verdict_so_far() const {
   const auto peak_of_control = control_peak.finding();
   if (at_fall && control_peak.turned() && peak_of_control->instant.reading < at_fall->reading)
     reach(*at_fall, peak_of_control->instant);
-  return verdict({.worst = work.worst(),
-                  .at_held_q = work.at_held_q(),
-                  .latest = work.latest(),
-                  .loss_of_control = lost,
-                  .loss = control.loss(),
-                  .zero_stress = zero_stress.finding(),
-                  .fall = at_fall,
-                  .fall_work = burst ? burst->work : std::nullopt,
-                  .control_peak = peak_of_control,
-                  .turned_at_held_q = control_peak.turned(),
-                  .turned_at_end = turned_at_end,
-                  .volume_by_pore_pressure = held_undrained,
-                  .states = watched_states,
-                  .points = points,
-                  .first_state = first_state,
-                  .nearest = nearest,
-                  .fall_at_rest = rest.unlikely(),
-                  .backbone = backbone.worst(),
-                  .cycles = &cycles,
-                  .limit = limit,
-                  .has_time = header.has_time},
-                 criteria.criteria());
+  Collapse found = verdict({.worst = work.worst(),
+                            .at_held_q = work.at_held_q(),
+                            .latest = work.latest(),
+                            .loss_of_control = lost,
+                            .loss = control.loss(),
+                            .zero_stress = zero_stress.finding(),
+                            .fall = at_fall,
+                            .fall_work = burst ? burst->work : std::nullopt,
+                            .control_peak = peak_of_control,
+                            .turned_at_held_q = control_peak.turned(),
+                            .turned_at_end = turned_at_end,
+                            .volume_by_pore_pressure = held_undrained,
+                            .states = watched_states,
+                            .points = points,
+                            .first_state = first_state,
+                            .nearest = nearest,
+                            .fall_at_rest = rest.unlikely(),
+                            .backbone = backbone.worst(),
+                            .cycles = &cycles,
+                            .limit = limit,
+                            .has_time = header.has_time},
+                           criteria.criteria());
+  if (found.onset) found.onset->total = total_uncertainty(*found.onset, header.specimen.diameter_m);
+  return found;
 }
 
 Collapse CollapseMonitor::so_far() const { return impl_->verdict_so_far(); }

@@ -45,7 +45,8 @@ void SecondOrderWork::start_stage(const StageInfo* stage) {
   descents_.start_stage({.drained = is_drained_frame(stage),
                          .by_displacement = stage && stage->control == AxialControl::displacement,
                          .another_specimen = is_another_specimen(before, stage),
-                         .closed = drainage_ == Drainage::closed && !held_q_});
+                         .closed = drainage_ == Drainage::closed && !held_q_,
+                         .held_q = held_q_});
 }
 
 void SecondOrderWork::add_point(const PathPoint& point, bool has_time) {

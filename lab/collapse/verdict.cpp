@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lab/collapse/criteria.hpp"
+#include "lab/collapse/onset_interval.hpp"
 #include "lab/collapse/second_order_work.hpp"
 #include "lab/collapse/stress_span.hpp"
 #include "lab/measured/instant.hpp"
@@ -124,13 +125,22 @@ void end_beyond_friction(const LimitSurface& limit, Collapse& c) {
   c.strength_lost.reset();
 }
 
-/// A frame let q fall before the specimen ran away under what came after: what was found there is
-/// the onset. Under a load, or at held q, the trend before a runaway is the servo's.
+/// Second-order work was negative from there to the runaway, at held q or because a frame let q
+/// fall: that is the onset. Under another load the trend before a runaway is the servo's.
 bool turned_before(const Descent& descent, const Instant& runaway) {
-  return descent.by_displacement && !descent.settled && !descent.came_back &&
-         descent.evidence.significantly_negative() &&
-         descent.onset.reading < static_cast<double>(runaway.reading) &&
-         std::fabs(runaway.q_pa.value_or(0)) < descent.onset.strength();
+  const bool turned = !descent.settled && !descent.came_back &&
+                      descent.evidence.significantly_negative() &&
+                      descent.onset.reading < static_cast<double>(runaway.reading);
+  const bool fell =
+      descent.by_displacement && std::fabs(runaway.q_pa.value_or(0)) < descent.onset.strength();
+  return turned && (descent.held_q || fell);
+}
+
+/// At held q the interval reaches to the fall: the specimen follows the servo's search as well.
+Instant onset_before(const Descent& descent, const std::optional<Instant>& fall, bool has_time) {
+  Instant onset = onset_of(descent, has_time);
+  if (descent.held_q && fall) reach(onset, *fall);
+  return onset;
 }
 
 /// Beyond a few loops of unloading: q comes and goes, and the strain lags behind it.
@@ -303,7 +313,7 @@ Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
   if (few && c.onset && is_late(*c.onset, *e.backbone)) c.onset = onset_of(*e.backbone, e.has_time);
   if (c.onset && e.fall) c.onset = e.fall;
   if (c.onset && e.loss_of_control && e.worst && turned_before(*e.worst, *c.onset))
-    c.onset = onset_of(*e.worst, e.has_time);
+    c.onset = onset_before(*e.worst, e.fall, e.has_time);
   if (c.onset && e.fall_work && !c.criteria.front().found()) prove_by_fall(*e.fall_work, c);
   if (c.onset && e.volume_by_pore_pressure && e.control_peak) c.onset = e.control_peak->instant;
   const bool drained = by_backbone ? e.backbone->drained : descent && descent->drained;

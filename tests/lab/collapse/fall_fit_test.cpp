@@ -73,7 +73,8 @@ TEST_CASE("fit_fall: with a compressible pore fluid work vanishes before the pea
   auto samples = under_load();
   for (PathSample& s : samples)
     s.signal[PathSample::pore_pressure] = 400e3 - s.signal[PathSample::p_eff];
-  // dq/dε₁ = −c (du/dε₁)(dp′/dε₁) = c (dp′/dε₁)² with q = q_c − b (η_c − η)², p′ = q/η, ε₁ = 0.02 η.
+  // dq/dε₁ = −c (du/dε₁)(dp′/dε₁) = c (dp′/dε₁)² with q = q_c − b (η_c − η)², p′ = q/η, ε₁ = 0.02
+  // η.
   constexpr double kC = 3e-8, kB = 2e6, kStrain = 0.02;
   double low = 0.5, high = kEta;
   for (int i = 0; i < 50; ++i) {

@@ -142,8 +142,7 @@ TEST_CASE("PoreFluid: without a B check c is that of water and lines") {
 TEST_CASE("PoreFluid: a B check by two transducers that differ shows little") {
   // B reads 1.001: the fluid would expand under pressure.
   PoreFluid fluid;
-  for (int i = 0; i <= 20; ++i)
-    fluid.add(before_shear(1, 2e4 - 4 * i, 3e5 + 4e3 * i, 0), &kCheck);
+  for (int i = 0; i <= 20; ++i) fluid.add(before_shear(1, 2e4 - 4 * i, 3e5 + 4e3 * i, 0), &kCheck);
   consolidate(fluid);
   const FluidCompliance c = fluid.posterior(3e5, std::nullopt);
   CHECK(c.at(3e5) > 0);

@@ -8,8 +8,8 @@ using namespace triax::lab;
 
 namespace {
 
-const StageInfo kShear{.number = 2, .name = {}, .role = StageRole::shear,
-                       .drainage = Drainage::closed};
+const StageInfo kShear{
+    .number = 2, .name = {}, .role = StageRole::shear, .drainage = Drainage::closed};
 const StageInfo kHold{.number = 3, .name = {}, .role = StageRole::hold};
 const SpecimenInfo kSpecimen{.height_m = 0.14, .diameter_m = 0.07};
 
