@@ -403,8 +403,9 @@ Collapse CollapseMonitor::Impl::verdict_so_far() const {
   // A burst that a growing load withdrew takes its fall with it.
   auto lost = control.lost();
   const PlacedBurst* burst = lost ? bursts.of(*lost) : nullptr;
-  if (burst) lost->instant.interval = burst->interval;
   auto at_fall = burst ? burst->fall : std::nullopt;
+  if (burst) lost->instant.interval = burst->interval;
+  if (at_fall) lost->instant = *at_fall;
   const auto peak_of_control = control_peak.finding();
   if (at_fall && control_peak.turned() && peak_of_control->instant.reading < at_fall->reading)
     reach(*at_fall, peak_of_control->instant);

@@ -77,11 +77,11 @@ struct UncertaintySource {
 };
 
 /// Interval of repeatability (noise, resolution, place of the onset) plus the errors that all
-/// readings share: zero, gain and linearity of the instruments, dimensions, compliance of the pore
-/// fluid.
+/// readings have in common: zero, gain and linearity of the instruments, dimensions, compliance of
+/// the pore fluid.
 struct TotalUncertainty {
   StressInterval interval;
-  std::vector<UncertaintySource> budget;  ///< largest share first
+  std::vector<UncertaintySource> budget;  ///< largest first
 };
 
 /// One instant of the test.

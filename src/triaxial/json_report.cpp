@@ -151,7 +151,7 @@ void put_interval(Json& object, const std::optional<lab::StressInterval>& of) {
   object["p_eff_high_kPa"] = study::json_kPa(if_known(interval.p_eff_pa.high));
 }
 
-/// Repeatability and what all readings share.
+/// Repeatability and the errors that all readings have in common.
 void put_total(Json& object, const std::optional<lab::TotalUncertainty>& total) {
   object["total_interval"] = nullptr;
   object["uncertainty_budget"] = nullptr;

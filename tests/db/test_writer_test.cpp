@@ -34,6 +34,7 @@ TEST_CASE("a test is running, then complete or interrupted, and leaves nothing w
   summary.collapse.criteria = {{}};
   summary.collapse.approaching = lab::Forecast{};
   summary.collapse.imminent = lab::Forecast{};
+  summary.collapse.loss_of_control = lab::Instant{};
   summary.guard = lab::GuardOutcome{.level = lab::WarningLevel::imminent};
   summary.truth = lab::Truth{};
   summary.truth->run_aways = {{}};
@@ -57,5 +58,5 @@ TEST_CASE("a test is running, then complete or interrupted, and leaves nothing w
     CHECK(database.execAndGet("SELECT count(*) FROM " + table).getInt() == 0);
     ++seen;
   }
-  CHECK(seen == 44);
+  CHECK(seen == 45);
 }

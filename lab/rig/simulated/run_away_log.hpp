@@ -14,7 +14,7 @@ class RunAwayLog {
   static constexpr std::size_t kMost = 100;
 
   /// The state after the tick that ended at `time_s`. `start`: the state in which a runaway that
-  /// began in it did so; empty: not known. Returns a sentence where a run-away began or ended in
+  /// began in it did so; empty: not known. Returns a sentence where a runaway began or ended in
   /// it, else nothing.
   std::string watch(double time_s, const sim::SpecimenState& state,
                     const std::optional<Truth>& start = {});

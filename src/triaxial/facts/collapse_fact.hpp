@@ -9,7 +9,7 @@
 
 namespace triax::src {
 
-/// From the verdict to the truth: onset, loss of control, alarm, failure, peak, guard, limit
+/// From the assessment to the truth: onset, loss of control, alarm, failure, peak, guard, limit
 /// surface, runaways.
 void add_collapse(std::vector<Fact>& facts, const db::StoredTest& test);
 

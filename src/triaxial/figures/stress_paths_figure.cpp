@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kStressPathsWidth = 720, kStressPathsHeight = 480 + kNoteHeight;
 
-Points places_of(const study::ShearSeries& series,
-                 std::optional<lab::Instant> study::SeriesTest::*instant) {
+Points stresses_of(const study::ShearSeries& series,
+                   std::optional<lab::Instant> study::SeriesTest::*instant) {
   Points places;
   for (const auto& test : series.tests)
     if (const auto at = study::stress_at(test.*instant))
@@ -54,8 +54,8 @@ Drawing stress_paths_figure(const study::ShearSeries& series) {
   note_below(*plot, origin_note(series.origin));
   plot->replot();  // the layout gives pixels their meaning
   for (std::size_t i = 0; i < paths.size(); ++i) draw_series(rect, paths[i], i, paths.size());
-  draw_markers(rect, places_of(series, &study::SeriesTest::onset), onset_marker());
-  draw_markers(rect, places_of(series, &study::SeriesTest::loss_of_control),
+  draw_markers(rect, stresses_of(series, &study::SeriesTest::onset), onset_marker());
+  draw_markers(rect, stresses_of(series, &study::SeriesTest::loss_of_control),
                loss_of_control_marker());
   return {std::move(plot),
           fmt::format("Effective stress paths in shear of {}{}.", names_of(series.tests),

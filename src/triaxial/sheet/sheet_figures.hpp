@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Small figures of a sheet. In all of them a square is failure, a ring the onset of
+// Small figures of a test report. In all of them a square is failure, a ring the onset of
 // instability, a diamond the loss of control.
 #include <QString>
 #include <optional>

@@ -15,8 +15,8 @@ namespace triax::src {
 
 inline constexpr int kSmallFigureHeight = 240;  ///< px, at kSheetFigureWidth
 
-/// In all figures of a sheet: failure is a square, the onset of instability a ring, the loss of
-/// control a diamond.
+/// In all figures of a test report: failure is a square, the onset of instability a ring, the loss
+/// of control a diamond.
 QCPScatterStyle failure_marker();
 QCPScatterStyle onset_ring();
 QCPScatterStyle loss_of_control_diamond();

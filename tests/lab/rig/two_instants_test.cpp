@@ -37,8 +37,24 @@ TEST_CASE("run_session: a CSU test turns before its control is lost", "[rig]") {
   CHECK(*c.loss_of_control->q_pa == Approx(*truth.q_pa).epsilon(0.05));
 }
 
-TEST_CASE("run_session: an ICU test keeps its control through the peak of q", "[rig]") {
-  const Collapse c = run("icu_6").collapse;
-  CHECK(c.onset);
-  CHECK_FALSE(c.loss_of_control);
+TEST_CASE("run_session: an ICU test keeps its control until p' is zero", "[rig]") {
+  const TestSummary summary = run("icu_6");
+  const Collapse& c = summary.collapse;
+  REQUIRE(c.onset);
+  REQUIRE(c.loss_of_control);
+  CHECK(c.loss_of_control->reading > c.onset->reading + 300);
+  CHECK(*c.loss_of_control->p_eff_pa < 0.01 * *summary.consolidation.p_eff_pa);
+  CHECK_FALSE(run("icu_dense").collapse.loss_of_control);
+}
+
+TEST_CASE("run_session: a fall from one reading to the next is both instants", "[rig]") {
+  const TestSummary summary = run("icu_42");
+  const Collapse& c = summary.collapse;
+  REQUIRE(c.onset);
+  REQUIRE(c.loss_of_control);
+  CHECK(c.loss_of_control->reading == c.onset->reading);
+  CHECK(c.loss_of_control->time_s == c.onset->time_s);
+  REQUIRE_FALSE(summary.truth->run_aways.empty());
+  CHECK(*c.loss_of_control->time_s == Approx(summary.truth->run_aways[0].start_s).margin(1));
+  CHECK(*c.loss_of_control->eta() == Approx(*c.onset->eta()));
 }
