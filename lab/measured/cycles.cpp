@@ -122,15 +122,14 @@ void CycleCounter::watch_strain(const State& state) {
 
 std::optional<CyclicLoading> CycleCounter::loading() const {
   if (turns() < kFewest) return std::nullopt;
-  return CyclicLoading{
-      .cycles = turns() / 2.0,
-      .q_low_pa = low_.value,
-      .q_high_pa = high_.value,
-      .stress_ratio = (high_.value - low_.value) / 4 / first_->p_eff,
-      .largest_pore_pressure_ratio = found_.largest_pore_pressure_ratio,
-      .largest_double_amplitude = found_.largest_double_amplitude,
-      .liquefied = found_.liquefied,
-      .double_amplitude = by_strain() ? std::nullopt : found_.double_amplitude};
+  return CyclicLoading{.cycles = turns() / 2.0,
+                       .q_low_pa = low_.value,
+                       .q_high_pa = high_.value,
+                       .stress_ratio = (high_.value - low_.value) / 4 / first_->p_eff,
+                       .largest_pore_pressure_ratio = found_.largest_pore_pressure_ratio,
+                       .largest_double_amplitude = found_.largest_double_amplitude,
+                       .liquefied = found_.liquefied,
+                       .double_amplitude = by_strain() ? std::nullopt : found_.double_amplitude};
 }
 
 bool CycleCounter::carried_on(std::int64_t reading, double q) const {

@@ -9,11 +9,11 @@
 namespace triax::lab {
 namespace {
 
-constexpr double kAtmosphere = 101.325e3;  ///< Pa
-constexpr double kLeastStep = 5e3;         ///< Pa of u in a B check
-constexpr double kLeastOfEach = 3;         ///< readings of each
-constexpr double kNearCheck = 2;           ///< p′ over that of the B check: its skeleton
-constexpr double kLeastSpread = 100;       ///< Pa, of √p′ + s/P, squared: what tells a slope
+constexpr double kAtmosphere = FluidCompliance::kAtmosphere_pa;
+constexpr double kLeastStep = 5e3;    ///< Pa of u in a B check
+constexpr double kLeastOfEach = 3;    ///< readings of each
+constexpr double kNearCheck = 2;      ///< p′ over that of the B check: its skeleton
+constexpr double kLeastSpread = 100;  ///< Pa, of √p′ + s/P, squared: what tells a slope
 
 constexpr double kWater = 2.3e-10;       ///< 1/Pa, of water in half the volume
 constexpr double kLines = 0.45e-12;      ///< m³/Pa, median

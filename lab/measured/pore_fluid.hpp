@@ -19,6 +19,8 @@ namespace triax::lab {
 
 /// c(u) = rigid + air/P²: water, lines and transducer do not depend on u, free air does.
 struct FluidCompliance {
+  static constexpr double kAtmosphere_pa = 101.325e3;
+
   double rigid = 0;            ///< 1/Pa
   double air = 0;              ///< Pa
   double least = 1, most = 1;  ///< c lies between these times c(u) with 95 %

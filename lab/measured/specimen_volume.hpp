@@ -20,6 +20,8 @@ class SpecimenVolume {
   State with_fluid(const State& state, const StageInfo* stage);
   /// c of the shear under way; empty before shear or without a pore pressure.
   const std::optional<FluidCompliance>& compliance() const { return compliance_; }
+  /// ∫c du where that shear began.
+  double strain_at_start() const { return at_start_; }
 
  private:
   std::optional<double> volume_m3_;

@@ -38,6 +38,7 @@ enum class StateCell : std::uint8_t {
   radial_pa,
   q_pa,
   p_eff_pa,
+  specimen_volumetric_strain,
   axial_strain_path,
   progress_of_block,
   q_rate,

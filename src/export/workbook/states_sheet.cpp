@@ -39,6 +39,7 @@ constexpr std::array<const char*, kStateCells> kHeadings = {"second_order_work_n
                                                             "effective_radial_stress_Pa",
                                                             "deviator_stress_Pa",
                                                             "mean_effective_stress_Pa",
+                                                            "volumetric_strain_of_specimen",
                                                             "axial_strain_path",
                                                             "progress_of_a_block",
                                                             "d_deviator_stress_Pa_per",
@@ -75,7 +76,8 @@ StatesSheet::StatesSheet(Sheet& sheet, const db::StoredTest& test, const Specime
       windows_(windows),
       points_(std::move(points)),
       trail_(trail_of(test, specimen, first_reference_row, first_reading_row)),
-      work_(windows, test.header, study::columns_handed_over().size()) {
+      work_(windows, test.header, study::columns_handed_over().size()),
+      volume_(test.header.specimen) {
   const auto& columns = study::columns_handed_over();
   for (std::size_t i = 0; i < columns.size(); ++i)
     sheet.text(kHeadingRow, i, columns[i].heading, Look::heading);
@@ -132,6 +134,23 @@ void StatesSheet::keep_path(const lab::State& state, StateTerms& row) {
   last_strain_ = strain;
 }
 
+/// With what the pore fluid is compressed by, as lab/measured/specimen_volume adds it.
+void StatesSheet::keep_volume(const lab::State& state, StateTerms& row) {
+  if (!lab::complete(state)) return;
+  const lab::StageInfo* stage = header_.stage(state.stage);
+  volume_.with_fluid(state, stage);
+  if (!lab::is_watched(stage)) return;
+  Term strain = cell(address(kVolumetricStrainColumn, row.row() + 1), state.volumetric_strain);
+  if (const auto& c = volume_.compliance(); c && std::isfinite(state.pore_pressure)) {
+    const Term u =
+        cell(address(column(StateCell::pore_pressure_pa), row.row() + 1), state.pore_pressure);
+    const Term air = over(constant(c->air), sum(u, constant(lab::FluidCompliance::kAtmosphere_pa)));
+    const Term fluid = difference(times(constant(c->rigid), u), air);
+    strain = sum(strain, difference(fluid, constant(volume_.strain_at_start())));
+  }
+  row.keep(StateCell::specimen_volumetric_strain, strain);
+}
+
 double StatesSheet::stored_value(std::size_t at, const lab::State& state) const {
   const auto& columns = study::columns_handed_over();
   if (at < columns.size()) return columns[at].value(state);
@@ -162,6 +181,7 @@ void StatesSheet::write(std::size_t row, const lab::Reading& reading, const lab:
   keep_states(std::visit([&](auto& trail) { return trail.reduce(reading, terms); }, trail_),
               reading, state, terms);
   keep_path(state, terms);
+  keep_volume(state, terms);
   while (next_point_ < points_.size() && points_[next_point_].reading < state.reading)
     ++next_point_;
   const bool here = next_point_ < points_.size() && points_[next_point_].reading == state.reading;

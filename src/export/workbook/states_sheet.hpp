@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "db/store.hpp"
+#include "lab/measured/specimen_volume.hpp"
 #include "src/export/workbook/raw_trail.hpp"
 #include "src/export/workbook/reduced_trail.hpp"
 #include "src/export/workbook/work_cells.hpp"
@@ -28,6 +29,7 @@ class StatesSheet {
   void keep_states(const ReducedTerms& s, const lab::Reading& reading, const lab::State& state,
                    StateTerms& row) const;
   void keep_path(const lab::State& state, StateTerms& row);
+  void keep_volume(const lab::State& state, StateTerms& row);
   double stored_value(std::size_t at, const lab::State& state) const;
 
   Sheet& sheet_;
@@ -37,6 +39,7 @@ class StatesSheet {
   std::vector<lab::SecondOrderWorkPoint> points_;
   std::variant<RawTrail, ReducedTrail> trail_;
   WorkCells work_;
+  lab::SpecimenVolume volume_;
   std::size_t next_window_ = 0, next_point_ = 0;
   const lab::SecondOrderWorkPoint* point_ = nullptr;  ///< of the row under way
   Term path_, last_strain_;

@@ -55,7 +55,7 @@ Term WorkCells::block(int level, std::size_t index, std::size_t signal) const {
   constexpr std::size_t kTimeColumn = 1;
   const std::array<std::size_t, kBlockSignals> columns{
       has_time_ ? kTimeColumn : own(StateCell::axial_strain_path), own(StateCell::q_pa),
-      own(StateCell::p_eff_pa), kAxialStrainColumn, kVolumetricStrainColumn};
+      own(StateCell::p_eff_pa), kAxialStrainColumn, own(StateCell::specimen_volumetric_strain)};
   return cell(on_sheet(kStatesSheet, columns[signal], windows_.row(index)), value);
 }
 
