@@ -18,10 +18,11 @@ constexpr double kMinQ = 0.1;   ///< fraction of p′₀ that q has to reach bef
 constexpr double kStrainTolerance = 1e-4;  ///< noise of a displacement transducer
 constexpr int kConfirmingReadings = 3;
 
-Instant instant_between(const State& before, const State& first, bool has_time) {
+Instant instant_between(const State& before, const State& first, const State& last, bool has_time) {
   Instant at = instant_of(first, has_time);
   StressSpan span(first.q, first.p_eff);
   span.reach(before.q, before.p_eff);
+  span.reach(last.q, last.p_eff);
   at.interval = span.interval({});
   return at;
 }
@@ -62,7 +63,7 @@ void ZeroStress::add_state(const State& state, bool has_time, const std::optiona
   if (gone_count_++ == 0) first_gone_ = state;
   if (gone_count_ < kConfirmingReadings) return;
   finding_ = Finding{
-      .instant = instant_between(*before_, *first_gone_, has_time),
+      .instant = instant_between(*before_, *first_gone_, state, has_time),
       .evidence = fmt::format(
           "q {:.2f} kPa, p' {:.2f} kPa: no stress left of q {:.2f} kPa, p' {:.2f} kPa",
           first_gone_->q / 1e3, first_gone_->p_eff / 1e3, max_q_ / 1e3, start_->p_eff / 1e3),

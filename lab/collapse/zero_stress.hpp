@@ -13,7 +13,7 @@ namespace triax::lab {
 ///   p′ ≤ 0.01 p′₀,   or   |q| ≤ 0.01 max|q|  after  max|q| ≥ 0.1 p′₀,
 /// p′₀ of the first state of the stage, Pa, compression positive, while the frame goes on: ε₁ is
 /// within 1e-4 of the farthest so far in the direction of q. An unloading is none. The interval of
-/// the instant reaches from the reading before it to the instant. Under load or held q nothing is
+/// the instant reaches from the reading before it to the third. Under load or held q nothing is
 /// searched for: there LossOfControl reports. Pre-condition: finite q, p′ and ε₁. Nova (1994):
 /// under displacement control the programme is maintained through a peak of q, until p′ or q is
 /// zero.

@@ -372,7 +372,10 @@ void SessionRun::keep_run_away(Collapse& collapse) {
   if (collapse.judged || !states_.trusts_axis()) return;
   Collapse axis = monitor_.of_the_axis();
   if (!axis.detected()) return;
+  const Collapse seen = axis;
   axis.end_at(collapse.judged_until, collapse.judged_until_reason);
+  axis.loss_of_control = seen.loss_of_control;
+  axis.loss_of_control_detected_at = seen.loss_of_control_detected_at;
   collapse = std::move(axis);
 }
 

@@ -16,7 +16,7 @@ bool holds_q(const db::StoredTest& test);
 std::string failure_words(const study::SheetOptions& options);
 /// What the signs in the figures are, for the foot of a sheet.
 inline constexpr const char* kSheetLegend =
-    "□ failure, ○ onset of instability, ◇ loss of control, dotted: nothing was read between";
+    "□ failure, ○ onset, ◇ loss of control, dotted: nothing was read between";
 /// Where its values come from, for the foot of a sheet.
 std::string sheet_footer(const db::StoredTest& test);
 

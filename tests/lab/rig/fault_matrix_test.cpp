@@ -121,9 +121,13 @@ bool fault_leaves_the_axis(const Subject& s, const Fault& f) {
          (f.device == "pore_pressure" || f.device == "back_volume" || f.device == "valve");
 }
 
-/// A collapse that was found after that fault was there: found before, or the axis fell.
+/// A collapse that was found after that fault was there: found before, or the axis fell. Without an
+/// assessment only the loss of control is known.
 void check_onset(const Subject& s, const Fault& f, const Outcome& out) {
-  const Instant& onset = *out.summary.collapse.onset;
+  const Collapse& c = out.summary.collapse;
+  const auto& found = c.onset ? c.onset : c.loss_of_control;
+  REQUIRE(found);
+  const Instant& onset = *found;
   const auto& falls = out.summary.truth->run_aways;
   if (*onset.time_s <= f.from_s + 1) return;
   REQUIRE(fault_leaves_the_axis(s, f));
