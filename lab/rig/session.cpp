@@ -170,6 +170,7 @@ class SessionRun {
   void tell_progress();
   void abort(const Reading& reading);
   void keep_run_away(Collapse& collapse);
+  void end_while_imminent(Collapse& collapse) const;
   void summarise_total_stress();
   void summarise();
 
@@ -391,6 +392,17 @@ void SessionRun::summarise_total_stress() {
                   header.programme));
 }
 
+/// No all-clear while an onset is forecast within the next readings.
+void SessionRun::end_while_imminent(Collapse& collapse) const {
+  const auto& warned = collapse.imminent;
+  if (!warned || warned->cyclic || collapse.detected() || !last_reading_) return;
+  if (alarm_.level() == WarningLevel::imminent && collapse.inside_limit_surface != false)
+    collapse.end_at(last_reading_->reading,
+                    fmt::format("the record ends while the warning `imminent` of reading {} is in "
+                                "force",
+                                warned->reading));
+}
+
 void SessionRun::summarise() {
   const std::vector<Warning>& of_record = back_end_.header().warnings;
   Collapse& collapse = summary_.collapse;
@@ -401,14 +413,7 @@ void SessionRun::summarise() {
   know_the_fall(collapse);
   collapse.approaching = acted_on_.first ? acted_on_.first : alarm_.approaching();
   collapse.imminent = acted_on_.second ? acted_on_.second : alarm_.imminent();
-  // Nor may a result be an all-clear while an onset is expected within the next readings.
-  if (const auto& warned = collapse.imminent; warned && !warned->cyclic && !collapse.detected() &&
-                                              !collapse.onset &&
-                                              alarm_.level() == WarningLevel::imminent)
-    collapse.end_at(last_reading_->reading,
-                    fmt::format("the record ends while the warning `imminent` of reading {} is in "
-                                "force",
-                                warned->reading));
+  end_while_imminent(collapse);
   // What was about to happen when the test broke off is in no reading. A failure that was told is.
   if (const std::string& why = back_end_.header().cut_short; !why.empty() && !collapse.onset)
     collapse.end_at(last_reading_ ? std::optional(last_reading_->reading) : std::nullopt, why);

@@ -16,7 +16,10 @@ constexpr double kDown = 0.02;  ///< of the largest y, by which it has come down
 constexpr double kApart = 2;    ///< of the way ahead, between two witnesses that are believed both
 /// Standard deviation of ln(distance/forecast distance): laws bend, mostly so that the onset is
 /// forecast too early.
-constexpr double kModel = 0.6;
+constexpr double kModel = 0.7;
+/// Span of η, as a fraction of η now, over which a path must have been seen: what is missing of it
+/// counts as distance, since the start of a stage bends more sharply than what follows.
+constexpr double kSpan = 0.2;
 constexpr double kPast = 2;         ///< standard errors past which earlier tests are not used
 constexpr double kCovered = 0.02;   ///< of the η forecast: what has to be seen of it in the stage
 constexpr int kLooksInAll = 64;     ///< a look each so many-th part of the readings
@@ -91,7 +94,8 @@ void foresee(const DrivenFit& f, double xi, DrivenPath::Control control, EtaFore
       open ? 2 * std::fabs(ahead) * std::sqrt(f.variance(1, 1)) / std::fabs(f.y[1]) : f.error(xi);
   const double factor = std::exp(kOf90 * kModel);
   const double below = ahead > 0 ? ahead * (1 - 1 / factor) : -ahead;
-  const double above = ahead > 0 ? ahead * (factor - 1) : -ahead;
+  const double unseen = std::max(kSpan - made.covered, 0.0) * made.now;
+  const double above = std::max(-ahead, std::max(ahead, unseen) * (factor - 1));
   made.eta = made.now + ahead;
   made.error = std::hypot(of_fit, between, below / kOf90);
   made.error_above = std::hypot(of_fit, between, above / kOf90);

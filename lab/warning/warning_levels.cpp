@@ -14,9 +14,9 @@ constexpr double kFar = 0.45;                  ///< likewise, from which nothing
 constexpr double kUnsure = 0.12, kUnsureSoon = 0.15;  ///< standard error of what says nothing, of η
 constexpr double kVague = 0.4;    ///< likewise, of one that is not worth telling
 constexpr double kHighest = 1.0;  ///< |η| at an onset where no limit is known
-/// What is covered of η in the stage, and the standard error of normalised work along a strain path
-/// and of dy/dx at held q (over its largest), of what says something.
-constexpr double kSeen = 0.03, kUnsureWork = 0.1, kUnsureHeld = 0.06;
+/// What is covered of η in the stage, and the standard error of normalised work along a strain
+/// path, of what says something.
+constexpr double kSeen = 0.06, kUnsureWork = 0.1;
 /// Of −dp′/dx at the onset over what it is now: from which it is an onset, and none.
 constexpr double kFalls = 0.95, kFallsLess = 0.8, kTurns = 0.7;
 /// Normalised work at most: near an onset, and near one though p′ falls less and less.
@@ -139,7 +139,7 @@ bool WarningLevels::within_scans(double eta, double scans) const {
 
 bool WarningLevels::is_imminent_at_held_q() const {
   const EtaForecast& f = *forecast();
-  if (f.covered < kSeen || f.stiffness_error > kUnsureHeld) return false;
+  if (f.covered < kSeen) return false;
   if (f.work <= kPerturbed && f.left() <= kPerturbed) return true;
   const auto first = left(f.eta - f.error), at_last = left(f.eta);
   if (f.stiffness + f.stiffness_error > kSoft || !first || !at_last) return false;
@@ -194,8 +194,8 @@ std::optional<Forecast> WarningLevels::current_forecast(const State& now) const 
   const auto eta = eta_forecast();
   if (!eta) return std::nullopt;
   // An onset that was not passed lies ahead.
-  const double low =
-      std::max(forecast()->eta - kOf90 * forecast()->error, std::min(eta_now_, forecast()->eta));
+  double low = forecast()->eta - kOf90 * forecast()->error;
+  if (forecast()->eta > eta_now_) low = std::max(low, eta_now_);
   const double high = forecast()->eta + kOf90 * forecast()->error_above;
   Forecast current{.reading = now.reading,
                    .time_s = {},

@@ -66,8 +66,8 @@ TEST_CASE("two witnesses that differ are met halfway, and what lies between is i
   const double later = f.now + 1 / (1 / (0.6 - f.now) - 0.5 / f.now);
   CHECK(f.eta == Approx(0.5 * (0.6 + later)).margin(0.002));
   // The mean of the two moves as the second does, by 0.15 of η.
-  // ln(distance/forecast) has a standard deviation of 0.6.
-  const double between = 0.5 * (later - 0.6), factor = std::exp(1.645 * 0.6);
+  // ln(distance/forecast) has a standard deviation of 0.7.
+  const double between = 0.5 * (later - 0.6), factor = std::exp(1.645 * 0.7);
   const double below = (f.eta - f.now) * (1 - 1 / factor), above = (f.eta - f.now) * (factor - 1);
   CHECK(f.error == Approx(std::hypot(between, below / 1.645)).epsilon(0.02));
   CHECK(f.error_above == Approx(std::hypot(between, above / 1.645)).epsilon(0.02));
