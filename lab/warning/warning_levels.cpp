@@ -14,8 +14,8 @@ constexpr double kFar = 0.45;                  ///< likewise, from which nothing
 constexpr double kUnsure = 0.12, kUnsureSoon = 0.15;  ///< standard error of what says nothing, of η
 constexpr double kVague = 0.4;    ///< likewise, of one that is not worth telling
 constexpr double kHighest = 1.0;  ///< |η| at an onset where no limit is known
-/// What is covered of η in the stage, and the standard error of normalised work along a strain
-/// path, of what says something.
+/// Fraction of η that the stage must have covered, and largest standard error of normalised work
+/// along a strain path.
 constexpr double kSeen = 0.06, kUnsureWork = 0.1;
 /// Of −dp′/dx at the onset over what it is now: from which it is an onset, and none.
 constexpr double kFalls = 0.95, kFallsLess = 0.8, kTurns = 0.7;
