@@ -31,11 +31,18 @@ ComposedNames::ComposedNames() {
     }
   }
   if (bits.size() > kMaxMeanings) throw BadInput("words.toml", 0, "too many meanings");
-  for (const std::string& qualifier : file.texts("qualifiers")) {
-    const auto bit = bits.find(QString::fromStdString(qualifier));
-    if (bit == bits.end()) throw BadInput("words.toml", 0, "no word means " + qualifier);
-    qualifiers_ |= Meanings{1} << *bit;
-  }
+  const auto all_of = [&](const std::vector<std::string>& listed) {
+    Meanings all = 0;
+    for (const std::string& meaning : listed) {
+      const auto bit = bits.find(QString::fromStdString(meaning));
+      if (bit == bits.end()) throw BadInput("words.toml", 0, "no word means " + meaning);
+      all |= Meanings{1} << *bit;
+    }
+    return all;
+  };
+  qualifiers_ = all_of(file.texts("qualifiers"));
+  strict_ = all_of(file.texts("strict"));
+  unread_ = all_of({"unread"});
   const auto& quantities = lexicon_quantity_files();
   of_quantity_.resize(quantities.size());
   for (std::size_t i = 0; i < quantities.size(); ++i)
@@ -86,7 +93,7 @@ std::optional<ComposedNames::Meanings> ComposedNames::meanings_of_parts(QStringV
   if (text.isEmpty()) return Meanings{0};
   if (failed[begin]) return std::nullopt;
   constexpr qsizetype kMinShortEnd = 5;  // "cellpress"
-  if (begin > 0 && text.size() >= kMinShortEnd)
+  if (begin > 0 && text.size() >= kMinShortEnd && !words_.contains(text.toString()))
     if (const auto short_end = short_forms_.value(text.toString())) return short_end;
   for (qsizetype length = std::min(max_word_, text.size()); length > 0; --length) {
     const bool is_part = length >= min_part_ || is_east_asian(text.front());
@@ -125,15 +132,30 @@ ComposedNames::Meanings ComposedNames::meanings_inside(const QString& token) con
   return meanings;
 }
 
+bool ComposedNames::is_no_reading(const std::vector<QString>& tokens) const {
+  return std::ranges::any_of(tokens, [&](const QString& token) {
+    return (meanings_of(token).value_or(meanings_inside(token)) & unread_) != 0;
+  });
+}
+
 QuantitySet ComposedNames::find_contradicted(const std::vector<QString>& tokens) const {
   Meanings meanings = 0;
   for (const QString& token : tokens) {
+    const bool is_ordinal = std::ranges::all_of(token, [](QChar c) { return c.isDigit(); });
+    if (is_ordinal) continue;  // "LVDT 1" is not the largest one
     const auto of_token = meanings_of(token);
     meanings |= of_token ? *of_token : meanings_inside(token);
   }
+  QuantitySet allowed;  // by a composed name inside the heading with all its strict meanings
+  for (auto name = names_.begin(); name != names_.end(); ++name)
+    if ((meanings & strict_ & ~name.key()) == 0 && (name.key() & ~meanings) == 0)
+      allowed |= name.value();
   QuantitySet found;
-  for (std::size_t i = 0; i < of_quantity_.size(); ++i)
-    found[i] = of_quantity_[i] != 0 && (meanings & qualifiers_ & ~of_quantity_[i]) != 0;
+  for (std::size_t i = 0; i < of_quantity_.size(); ++i) {
+    const bool is_other = (meanings & strict_) != 0 && !allowed[i];
+    found[i] =
+        of_quantity_[i] != 0 && (is_other || (meanings & qualifiers_ & ~of_quantity_[i]) != 0);
+  }
   return found;
 }
 
@@ -141,7 +163,11 @@ QuantitySet ComposedNames::find(const std::vector<QString>& tokens) const {
   Meanings meanings = 0;
   for (const QString& token : tokens) {
     const bool is_inside = &token != &tokens.front() && &token != &tokens.back();
-    if (is_inside && token == u"in") continue;       // at the end it is the unit
+    if (is_inside && token == u"in") continue;  // at the end it is the unit
+    if (const auto of_token = words_.constFind(token); of_token != words_.constEnd()) {  // "1/2"
+      meanings |= *of_token;
+      continue;
+    }
     for (const QString& part : token.split(u'/')) {  // "deviator/mean stress" is one token
       const auto of_part = meanings_of(part);
       if (!of_part) return {};

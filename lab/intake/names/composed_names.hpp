@@ -23,8 +23,12 @@ class ComposedNames {
   /// Quantities that a heading of these tokens (heading_tokens()) names. None if a token is
   /// unknown.
   QuantitySet find(const std::vector<QString>& tokens) const;
+  /// True if a heading of these tokens has a word that no reading of a quantity has: a set point, a
+  /// rate, an error, a value at failure.
+  bool is_no_reading(const std::vector<QString>& tokens) const;
   /// Quantities that a heading of these tokens cannot name, whatever phrases it contains: a known
-  /// word qualifies it ("half", "ratio", "excess") that is in none of their composed names.
+  /// word qualifies it ("half", "ratio", "excess") that is in none of their composed names, or a
+  /// strict one ("increment") that is in none of those whose words are all in the heading.
   QuantitySet find_contradicted(const std::vector<QString>& tokens) const;
 
  private:
@@ -43,7 +47,7 @@ class ComposedNames {
   QHash<QString, std::optional<Meanings>> short_forms_;  ///< empty: of words that differ
   QHash<Meanings, QuantitySet> names_;
   std::vector<Meanings> of_quantity_;  ///< in any of its composed names
-  Meanings qualifiers_ = 0;
+  Meanings qualifiers_ = 0, strict_ = 0, unread_ = 0;
   std::vector<QString> endings_;
   qsizetype max_word_ = 0, min_part_ = 0, min_short_ = 0;
 };

@@ -62,7 +62,11 @@ NameAndUnit split_at(const QString& text, const QString& separator, const IsName
     const QString unit = text.sliced(at + separator.size());
     const QString name = without_outer(text.first(at), u" _,/");
     const auto units = find_units(unit);
-    if (units.empty() || !(is_strong || can_end(unit, units)) || !is_name(name, units)) continue;
+    // "ε_v" has an index.
+    const bool is_index = separator == u"_" && unit.size() == 1 && unit.front().isLetter() &&
+                          !name.isEmpty() && name.back().script() == QChar::Script_Greek;
+    if (units.empty() || is_index || !(is_strong || can_end(unit, units)) || !is_name(name, units))
+      continue;
     return {name, unit.trimmed()};
   }
   return {};
@@ -78,9 +82,18 @@ NameAndUnit split_longest(const QString& text, const IsName& is_name) {
   return longest;
 }
 
+/// True if a unit behind this name makes it a rate: "Axial strain per" of "minute".
+bool ends_as_rate(const QString& name) {
+  static const std::vector<std::string> words =
+      read_lexicon_file("normalise").required_table("unit").texts("rates");
+  const std::string last = name.sliced(name.lastIndexOf(u' ') + 1).toStdString();
+  return std::ranges::find(words, last) != words.end();
+}
+
 /// Units that are no names, whatever stands before them: "mm", not "t".
 bool is_clear_unit(const QString& name, const std::vector<const UnitName*>& units) {
-  return !name.isEmpty() && std::ranges::none_of(units, &UnitName::is_ambiguous);
+  return !name.isEmpty() && !ends_as_rate(name) &&
+         std::ranges::none_of(units, &UnitName::is_ambiguous);
 }
 
 }  // namespace

@@ -79,8 +79,12 @@ bool has_ignored(const QuantitySet& found) {
 QuantitySet find_kept_words(QString text) {
   for (const QRegularExpression& statistic : search_rules().statistics) text.remove(statistic);
   QuantitySet found;
-  for (const auto& match : search_rules().kept_words.find(heading_tokens(text)))
+  const auto tokens = heading_tokens(text);
+  for (const auto& match : search_rules().kept_words.find(tokens))
     found.set(static_cast<std::size_t>(match.number));
+  const auto* ignored = find_lexicon_quantity("ignored");
+  if (ignored && NameIndex::get().composed().is_no_reading(tokens))
+    found.set(static_cast<std::size_t>(position_of(*ignored)));
   return found;
 }
 
@@ -136,16 +140,17 @@ bool has_symbol_character(const QString& text) {
 
 /// Names and symbols at the end of a heading. Quantities that its beginning names, too, come first:
 /// true if there are some.
-bool append_tails(const QString& text, SearchLevels& levels) {
+bool append_tails(const QString& text, const QuantitySet& contradicted, SearchLevels& levels) {
   const NameIndex& index = NameIndex::get();
   QuantitySet both, tail, symbol, head;
   for (const auto& [head_end, tail_begin] : find_splits(text)) {
     const QString first = text.first(head_end);
     const QString rest = text.sliced(tail_begin);
     const QuantitySet of_first = index.find_exact(first);
-    const QuantitySet of_rest = rest.isEmpty() ? QuantitySet() : index.find_exact(rest);
     const bool is_group =
         search_rules().group_names.contains(joined_with_blanks(heading_tokens(first)));
+    QuantitySet of_rest = rest.isEmpty() ? QuantitySet() : index.find_exact(rest);
+    if (!is_group && symbol_readings(rest).empty()) of_rest &= ~contradicted;
     if (of_rest.any() && (of_first.any() || is_group)) {
       tail |= of_rest;
       both |= of_rest & of_first;
@@ -163,6 +168,13 @@ bool append_tails(const QString& text, SearchLevels& levels) {
   return both.any();
 }
 
+void append_phrases(const std::vector<QString>& tokens, const QuantitySet& contradicted,
+                    SearchLevels& levels) {
+  for (const auto& match : NameIndex::get().phrases().find(tokens))
+    levels.push_back({NameMatch::words,
+                      QuantitySet().set(static_cast<std::size_t>(match.number)) & ~contradicted});
+}
+
 /// The quantities that a heading without its unit can mean, the best first.
 SearchLevels search_name(const QString& text) {
   const NameIndex& index = NameIndex::get();
@@ -170,18 +182,18 @@ SearchLevels search_name(const QString& text) {
   // A whole name is more than its words: "effective radial stress" is no radial stress.
   bool is_named = levels.front().found.any();
   if (!is_named) {
+    const auto tokens = heading_tokens(text);
+    const QuantitySet contradicted = index.composed().find_contradicted(tokens);
     append_shorter_forms(text, levels);
+    is_named = append_tails(text, contradicted, levels);
     const bool is_no_reading = std::ranges::any_of(levels, [](const SearchLevel& level) {
       return level.how == NameMatch::kept_word && has_ignored(level.found);
     });
-    is_named = append_tails(text, levels) || is_no_reading;
-  }
-  if (!is_named) {
-    const auto tokens = heading_tokens(text);
-    const QuantitySet contradicted = index.composed().find_contradicted(tokens);
-    for (const auto& match : index.phrases().find(tokens))
-      levels.push_back({NameMatch::words,
-                        QuantitySet().set(static_cast<std::size_t>(match.number)) & ~contradicted});
+    if (is_no_reading && !is_named)  // "Max. principal stress σ1" is named
+      std::erase_if(levels,
+                    [](const SearchLevel& level) { return level.how != NameMatch::kept_word; });
+    else if (!is_named)
+      append_phrases(tokens, contradicted, levels);
   }
   const std::size_t own = levels.size();
   for (std::size_t i = 0; i < own; ++i)

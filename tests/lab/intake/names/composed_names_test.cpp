@@ -88,9 +88,23 @@ TEST_CASE("ComposedNames: a qualifying word contradicts the phrase beside it") {
   CHECK(contradicts("xyz axial stress ratio", "axial_stress"));
   CHECK(contradicts("x 偏应力的一半", "deviator_stress"));
   CHECK(contradicts("附加轴向应力某", "axial_stress"));  // in a token with an unknown word
+  CHECK(contradicts("xyz axial strain increment", "axial_strain"));
+  CHECK_FALSE(contradicts("test volume change", "volume_change"));  // a change by its name
+  CHECK_FALSE(contradicts("xyz axial force 1", "axial_force"));     // a number, not the largest
   CHECK_FALSE(contradicts("xyz effective axial stress", "effective_axial_stress"));
   CHECK_FALSE(contradicts("xyz axial stress", "axial_stress"));
   CHECK_FALSE(contradicts("xyz ratio", "membrane_and_drain_correction"));  // has no composed name
+}
+
+TEST_CASE("ComposedNames: a word of a heading makes it no reading") {
+  const auto is_no_reading = [](std::string_view heading) {
+    return composed_names().is_no_reading(heading_tokens(repair_heading(heading)));
+  };
+  CHECK(is_no_reading("xyz target"));
+  CHECK(is_no_reading("Sollzelldruck"));
+  CHECK(is_no_reading("某设定围压"));          // beside an unknown word
+  CHECK_FALSE(is_no_reading("Phasenanfang"));  // not short for Anfangswert
+  CHECK_FALSE(is_no_reading("axial force"));
 }
 
 TEST_CASE("ComposedNames: a long text finds nothing in short time") {

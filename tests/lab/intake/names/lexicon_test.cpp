@@ -64,6 +64,70 @@ TEST_CASE("find_names: each kind of match is found and comes in its order") {
   }
 }
 
+TEST_CASE("find_names: set points, rates and single values are no readings") {
+  for (const char* heading : {"Commanded chamber pressure",
+                              "Заданные давления в камере",
+                              "Reksnelheid axiaal",
+                              "Cell pressure reference",
+                              "Required back pressure",
+                              "Zelldruckvorgabe",
+                              "Kraftsollwert",
+                              "Contrapresión requerida",
+                              "Заданного давления в камере",
+                              "控制围压",
+                              "側圧指令値",
+                              "Kolbengeschwindigkeit",
+                              "Cell pressure ramp",
+                              "Rate of volume change",
+                              "位移速率",
+                              "Axial strain per minute",
+                              "Initial pore pressure",
+                              "Final axial strain",
+                              "Осевая деформация при разрушении",
+                              "Residual deviator stress",
+                              "初期間隙水圧",
+                              "Cell pressure noise",
+                              "SD of cell pressure",
+                              "Axial load limit",
+                              "Piston friction",
+                              "Predicted deviator stress",
+                              "Standardabweichung Axialkraft",
+                              "Zeitschritt",
+                              "Strain increment",
+                              "Deviator stress increment"}) {
+    const HeadingNames names = find_names(heading);
+    INFO(heading << ": " << candidates_text(names));
+    REQUIRE(names.candidates.size() == 1);
+    CHECK(names.candidates.front().quantity->name == "ignored");
+  }
+}
+
+TEST_CASE("find_names: a largest principal stress is no value at a peak") {
+  const auto names = find_names("Max. principal stress σ1");
+  INFO(candidates_text(names));
+  CHECK(has_candidate(names, "axial_stress", NameMatch::tail));
+}
+
+TEST_CASE("find_names: an increment, a correction or a rate has no candidate") {
+  for (const char* heading :
+       {"Load increment (N)", "Incremental axial strain (%)", "Incrément de déformation axiale (%)",
+        "轴向应变增量 (%)", "Correction of load (N)", "Correzione di carico (N)",
+        "Поправка перемещения (mm)", "Back pressure at start (kPa)", "Piston area (mm2)",
+        "最大轴向力 (N)", "Axial strain (%/min)", "Volume change (ml/min)", "Load (kN/s)"}) {
+    const HeadingNames names = find_names(heading);
+    INFO(candidates_text(names));
+    CHECK(names.candidates.empty());
+  }
+  CHECK(find_names("Increment of volume").candidates.front().quantity->name == "volume_change");
+}
+
+TEST_CASE("find_names: an index or a half is no unit and no number of a channel") {
+  CHECK(find_names("Deformation ε_v").unit.empty());
+  CHECK(find_names("σ_kPa").unit == "kPa");
+  CHECK(find_names("主応力差の1/2").candidates.front().quantity->name == "half_deviator_stress");
+  CHECK(find_names("主応力差 2").candidates.front().quantity->name == "deviator_stress");
+}
+
 TEST_CASE("find_names: the unit decides between quantities with one name") {
   CHECK(find_names("Axial deformation (mm)").candidates.front().quantity->name ==
         "axial_displacement");
