@@ -41,9 +41,9 @@ TEST_CASE("run_session: at held q the onset is reported before the fall") {
   REQUIRE(onset);
   REQUIRE(fall);
   REQUIRE(imminent);
-  CHECK(onset->noticed->reading < fall->noticed->reading);
-  CHECK(imminent->noticed->reading < fall->noticed->reading);
-  CHECK(test.collapse.noticed->reading == onset->noticed->reading);
+  CHECK(onset->detected_at->reading < fall->detected_at->reading);
+  CHECK(imminent->detected_at->reading < fall->detected_at->reading);
+  CHECK(test.collapse.detected_at->reading == onset->detected_at->reading);
   CHECK_FALSE(test.first(EventKind::warning_withdrawn));
 }
 
