@@ -109,10 +109,9 @@ TEST_CASE("all that is known of a test comes back, and what is unknown stays unk
                                {"loss_of_control", false, {}, {}, {}, ""}};
   summary.collapse.criteria[0].detected_at = lab::Moment{7, std::nullopt};
   summary.truth = lab::Truth{true, 0.45, 0.00515, 56.45e3, 97.1e3, std::nullopt, {}};
-  summary.truth->run_aways = {
-      {0.45, 2.5e-3, 0.6, 1e-6, -3e-6, 0.7, 0.75, lab::RunAwayEnd::new_equilibrium, 0.006,
-       51e3, 81e3, 524e3},
-      {0.8, 4e-3, 0.9, {}, {}, {}, {}, lab::RunAwayEnd::none}};
+  summary.truth->run_aways = {{0.45, 2.5e-3, 0.6, 1e-6, -3e-6, 0.7, 0.75,
+                               lab::RunAwayEnd::new_equilibrium, 0.006, 51e3, 81e3, 524e3},
+                              {0.8, 4e-3, 0.9, {}, {}, {}, {}, lab::RunAwayEnd::none}};
   summary.collapse.judged_until = 7;
   summary.collapse.judged_until_reason = "the pore-pressure transducer is dead";
   summary.checks = {{lab::CheckKind::b_value, 0.97, 0.95, true, "B is high enough"},

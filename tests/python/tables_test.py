@@ -42,7 +42,10 @@ class Tables(InAFolder):
         self.assertEqual(self.test.onset["reading"], collapse["reading"])
         self.assertEqual(self.test.onset["eta_low"], collapse["eta_low"])
         self.assertEqual(self.test.onset["detected_at"], collapse["detected_at"])
-        self.assertIsNone(self.test.loss_of_control)  # a prescribed displacement
+        self.assertLess(self.test.loss_of_control["p_eff_kPa"], 1)  # a prescribed displacement: p' is zero
+        dense = triax.simulate(SAMPLES / "programmes/icu_dense.toml", self.db)
+        self.assertIsNone(dense.onset)
+        self.assertIsNone(dense.loss_of_control)
         held = triax.simulate(SAMPLES / "programmes/csu_26.toml", self.db)
         self.assertEqual(held.loss_of_control, held.report["collapse"]["loss_of_control"])
         self.assertGreater(held.loss_of_control["reading"], held.onset["reading"])

@@ -23,8 +23,8 @@ TEST_CASE("run-aways read back to the bit, what is unknown stays empty") {
   truth.time_s = 12.25;
   truth.q_pa = triax::sim::to_si(56.49, *triax::sim::find_unit("kPa"));
   truth.run_aways = {
-      {12.25, 0.1 + 0.2, 12.5, 1e-6, -3.1e-6, 0.67, 12.75, RunAwayEnd::new_equilibrium,
-       0.0125, triax::sim::to_si(56.3, *triax::sim::find_unit("kPa")), 97e3, 521e3},
+      {12.25, 0.1 + 0.2, 12.5, 1e-6, -3.1e-6, 0.67, 12.75, RunAwayEnd::new_equilibrium, 0.0125,
+       triax::sim::to_si(56.3, *triax::sim::find_unit("kPa")), 97e3, 521e3},
       {40, 2, 41, {}, {}, {}, {}, RunAwayEnd::none}};
   const Truth found = read_back(truth_toml(truth));
   CHECK(found.time_s == 12.25);

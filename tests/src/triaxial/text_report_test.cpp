@@ -103,9 +103,8 @@ TEST_CASE("text_report: the total uncertainty with its largest source", "[report
   test.stored.summary.collapse.onset->total = {
       .interval = {{55e3, 65e3}, {90e3, 110e3}, {0.5, 0.7}},
       .budget = {{"noise", 0.2}, {"gain of the load cell", 0.8}}};
-  CHECK(holds(
-      text_report({test}),
-      "total uncertainty: η 0.500 to 0.700; largest source: gain of the load cell, 80 %"));
+  CHECK(holds(text_report({test}),
+              "total uncertainty: η 0.500 to 0.700; largest source: gain of the load cell, 80 %"));
 }
 
 TEST_CASE("text_report: the true loss of control of a simulated test", "[report]") {

@@ -72,8 +72,7 @@ TEST_CASE("an undrained test as TREG and TRET, by hand") {
 TEST_CASE("ags_delivery: the loss of control has a heading and a remark", "[ags]") {
   auto test = undrained(src::test::flow_test());
   CHECK(cell(ags_delivery({test}, {}, "2026-11-25"), "TRET_ETAL") == "(none)");
-  test.stored.summary.collapse.loss_of_control =
-      lab::Instant{340, 34.0, 0.0623, 50e3, 80e3, 380e3};
+  test.stored.summary.collapse.loss_of_control = lab::Instant{340, 34.0, 0.0623, 50e3, 80e3, 380e3};
   const auto document = ags_delivery({test}, {}, "2026-11-25");
   CHECK(cell(document, "TRET_ETAL") == "0.625");
   CHECK(cell(document, "TREG_REM").find("onset of instability at an axial strain of") !=

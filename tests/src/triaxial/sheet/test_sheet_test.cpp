@@ -80,8 +80,8 @@ TEST_CASE("the sheet says what the JSON report says") {
   const auto collapse = verdict_box(sheet);
   CHECK(collapse.marked == json["collapse"]["detected"].get<bool>());
   CHECK(value(collapse, "result").starts_with(json["collapse"]["kind"].get<std::string>()));
-  CHECK(value(collapse, "onset of instability").find("η " + number(json["collapse"]["eta"], "{:.2f}")) !=
-        std::string::npos);
+  CHECK(value(collapse, "onset of instability")
+            .find("η " + number(json["collapse"]["eta"], "{:.2f}")) != std::string::npos);
 }
 
 TEST_CASE("verdict_box: the loss of control has its own row", "[sheet]") {
@@ -99,8 +99,7 @@ TEST_CASE("verdict_box: the loss of control has its own row", "[sheet]") {
   const auto row = std::ranges::find(box.facts, "loss of control", &Fact::label);
   REQUIRE(row->lines.size() == 2);
   CHECK(row->lines[0].find("340") != std::string::npos);
-  CHECK(row->lines[1] ==
-        "η 0.600 to 0.650 with 95 %; detected only when the record had ended");
+  CHECK(row->lines[1] == "η 0.600 to 0.650 with 95 %; detected only when the record had ended");
 }
 
 TEST_CASE("what nobody says is a blank, what is simulated is marked") {
