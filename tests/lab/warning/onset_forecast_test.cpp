@@ -95,7 +95,7 @@ TEST_CASE("OnsetForecast: a root behind leaves the present state in the interval
   CHECK(past.now()->eta < past.now()->now - 0.03);
   CHECK(past.now()->eta + 1.645 * past.now()->error_above >= past.now()->now - 1e-6);
   CHECK(past.now()->eta - 1.645 * past.now()->error < past.now()->eta - 0.03);
-  CHECK_FALSE(turning(290).now());  // η now 0.71: too far behind
+  CHECK_FALSE(turning(290).now());            // η now 0.71: too far behind
   const OnsetForecast before = turning(245);  // η now 0.59: what is close is known well
   REQUIRE(before.now());
   CHECK(before.now()->eta > before.now()->now);
