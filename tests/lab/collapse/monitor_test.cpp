@@ -373,8 +373,8 @@ TEST_CASE("CollapseMonitor: the turn of the volume at held q is told before the 
   CHECK(test.events.front().kind == EventKind::loss_of_sustainability);
   CHECK(std::abs(test.events.front().reading - 3000) < 500);
   CHECK(test.events.size() == 1);
-  REQUIRE(test.collapse.noticed);
-  CHECK(test.collapse.noticed->reading < 5900);
+  REQUIRE(test.collapse.onset_detected_at);
+  CHECK(test.collapse.onset_detected_at->reading < 5900);
   CHECK(test.collapse.kind == CollapseKind::flow);
   CHECK(held_test(false, 5000, 5000).events.empty());
 }

@@ -344,7 +344,7 @@ TEST_CASE("verdict: at held q the turn of the volume is known before the fall") 
                    .turned_at_held_q = at_held_q,
                    .points = 50,
                    .limit = limit})
-        .noticed->reading;
+        .onset_detected_at->reading;
   };
   CHECK(noticed(true) == 8);
   CHECK(noticed(false) == 42);  // a peak of q that came back

@@ -43,7 +43,7 @@ TEST_CASE("run_session: at held q the onset is reported before the fall") {
   REQUIRE(imminent);
   CHECK(onset->detected_at->reading < fall->detected_at->reading);
   CHECK(imminent->detected_at->reading < fall->detected_at->reading);
-  CHECK(test.collapse.detected_at->reading == onset->detected_at->reading);
+  CHECK(test.collapse.onset_detected_at->reading == onset->detected_at->reading);
   CHECK_FALSE(test.first(EventKind::warning_withdrawn));
 }
 

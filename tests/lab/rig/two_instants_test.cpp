@@ -11,7 +11,7 @@ using namespace triax::lab;
 
 namespace {
 
-TestSummary run(const std::string& name) {
+TestSummary simulated_summary(const std::string& name) {
   VirtualRig rig(load_programme("samples/programmes/" + name + ".toml"), 1);
   return run_session(rig, {});
 }
@@ -19,7 +19,7 @@ TestSummary run(const std::string& name) {
 }  // namespace
 
 TEST_CASE("run_session: a CSU test turns before its control is lost", "[rig]") {
-  const TestSummary summary = run("csu_26");
+  const TestSummary summary = simulated_summary("csu_26");
   const Collapse& c = summary.collapse;
   REQUIRE(c.onset);
   REQUIRE(c.loss_of_control);
@@ -38,17 +38,17 @@ TEST_CASE("run_session: a CSU test turns before its control is lost", "[rig]") {
 }
 
 TEST_CASE("run_session: an ICU test keeps its control until p' is zero", "[rig]") {
-  const TestSummary summary = run("icu_6");
+  const TestSummary summary = simulated_summary("icu_6");
   const Collapse& c = summary.collapse;
   REQUIRE(c.onset);
   REQUIRE(c.loss_of_control);
   CHECK(c.loss_of_control->reading > c.onset->reading + 300);
   CHECK(*c.loss_of_control->p_eff_pa < 0.01 * *summary.consolidation.p_eff_pa);
-  CHECK_FALSE(run("icu_dense").collapse.loss_of_control);
+  CHECK_FALSE(simulated_summary("icu_dense").collapse.loss_of_control);
 }
 
 TEST_CASE("run_session: a fall from one reading to the next is both instants", "[rig]") {
-  const TestSummary summary = run("icu_42");
+  const TestSummary summary = simulated_summary("icu_42");
   const Collapse& c = summary.collapse;
   REQUIRE(c.onset);
   REQUIRE(c.loss_of_control);
