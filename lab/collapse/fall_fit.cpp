@@ -208,8 +208,8 @@ PathSample state_before(std::span<const PathSample> all, double eta) {
 }
 
 /// Where the pore fluid is compressed, from the fit of the peak of q with its ratio η_c.
-void move_before_peak(std::span<const PathSample> all, const FluidCompliance& c, double k,
-                      const Estimate& peak, FallFit& fit) {
+void move_before_peak(std::span<const PathSample> all, const Ending& ending,
+                      const FluidCompliance& c, double k, const Estimate& peak, FallFit& fit) {
   const auto samples = all.last(std::min(all.size(), kOfLast));
   const double strain = at_last(samples, Signal::axial_strain, kOfLast).rate;
   const AtLast u = at_last(samples, Signal::pore_pressure, kOfLast);
@@ -230,6 +230,9 @@ void move_before_peak(std::span<const PathSample> all, const FluidCompliance& c,
     fit.point.axial_strain = at.signal[Signal::axial_strain];
     fit.point.volumetric_strain = at.signal[Signal::volumetric_strain];
     fit.point.pore_pressure = at.signal[Signal::pore_pressure];
+    span = StressSpan(fit.point.q, fit.point.p_eff);
+  } else if (std::fabs(eta) < std::fabs(fit.point.eta())) {
+    fit.point = ending.point_at(eta);
     span = StressSpan(fit.point.q, fit.point.p_eff);
   }
   for (const double there :
@@ -264,7 +267,7 @@ std::optional<FallFit> fit_fall(std::span<const PathSample> all, bool held_q, do
       if (turned.last >= 1) fit.interval = hull(fit.interval, within);
     }
   }
-  if (compliance && modulus) move_before_peak(all, *compliance, modulus->k, peak, fit);
+  if (compliance && modulus) move_before_peak(all, ending, *compliance, modulus->k, peak, fit);
   return fit;
 }
 

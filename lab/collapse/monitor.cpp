@@ -405,7 +405,7 @@ Collapse CollapseMonitor::Impl::verdict_so_far() const {
   const PlacedBurst* burst = lost ? bursts.of(*lost) : nullptr;
   auto at_fall = burst ? burst->fall : std::nullopt;
   if (burst) lost->instant.interval = burst->interval;
-  if (at_fall) lost->instant = *at_fall;
+  if (burst && burst->control) lost->instant = *burst->control;
   const auto peak_of_control = control_peak.finding();
   if (at_fall && control_peak.turned() && peak_of_control->instant.reading < at_fall->reading)
     reach(*at_fall, peak_of_control->instant);

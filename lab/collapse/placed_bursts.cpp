@@ -63,6 +63,9 @@ void PlacedBursts::place(const LossOfControl& control, const PathHistory& histor
   one.interval = interval_of(burst, history, near);
   if (!control.sudden()) return;
   one.fall = fall_at(burst.instant, one.interval, history, stage);
+  Stage rigid = stage;
+  rigid.compliance.reset();
+  one.control = stage.compliance ? fall_at(burst.instant, one.interval, history, rigid) : one.fall;
   if (near) one.work = work_of_fall(control.fall()->before, control.fall()->after, *near);
 }
 

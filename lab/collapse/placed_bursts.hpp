@@ -17,7 +17,8 @@ namespace triax::lab {
 struct PlacedBurst {
   std::int64_t of = 0;  ///< reading of the finding that it belongs to
   std::optional<StressInterval> interval;
-  std::optional<Instant> fall;  ///< where a sudden one began
+  std::optional<Instant> fall;     ///< where second-order work vanished before a sudden one
+  std::optional<Instant> control;  ///< where control was lost
   std::optional<FallWork> work;
 };
 

@@ -122,7 +122,8 @@ TEST_CASE("PoreFluid: a good B check and consolidation outweigh what is known be
   const FluidCompliance c = fluid.posterior(u, std::nullopt);
   // 3.5e-8/Pa, thirty times that of water and lines: all but their share is free air.
   const double shown = kAir / (p_of_check * p_of_check);
-  CHECK(c.at(3.8e5) == Approx(shown).epsilon(0.2));
+  // An error of 0.3 c makes smaller values the likelier ones.
+  CHECK(c.at(3.8e5) == Approx(shown).epsilon(0.25));
   CHECK(c.least * c.at(3.8e5) < shown);
   CHECK(c.most * c.at(3.8e5) > shown);
   CHECK(c.most / c.least < 5);

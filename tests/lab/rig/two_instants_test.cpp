@@ -47,14 +47,17 @@ TEST_CASE("run_session: an ICU test keeps its control until p' is zero", "[rig]"
   CHECK_FALSE(simulated_summary("icu_dense").collapse.loss_of_control);
 }
 
-TEST_CASE("run_session: a fall from one reading to the next is both instants", "[rig]") {
+TEST_CASE("run_session: under a load both instants lie within two readings", "[rig]") {
   const TestSummary summary = simulated_summary("icu_42");
   const Collapse& c = summary.collapse;
   REQUIRE(c.onset);
   REQUIRE(c.loss_of_control);
-  CHECK(c.loss_of_control->reading == c.onset->reading);
-  CHECK(c.loss_of_control->time_s == c.onset->time_s);
+  // Second-order work vanishes while the pore fluid is compressed, just before the peak of q.
+  CHECK(c.loss_of_control->reading >= c.onset->reading);
+  CHECK(c.loss_of_control->reading <= c.onset->reading + 2);
   REQUIRE_FALSE(summary.truth->run_aways.empty());
   CHECK(*c.loss_of_control->time_s == Approx(summary.truth->run_aways[0].start_s).margin(1));
-  CHECK(*c.loss_of_control->eta() == Approx(*c.onset->eta()));
+  REQUIRE(c.onset->interval);
+  CHECK(c.onset->interval->eta.holds(*summary.truth->q_pa / *summary.truth->p_eff_pa));
+  CHECK(*c.onset->eta() <= *c.loss_of_control->eta());
 }
