@@ -18,7 +18,6 @@
 #include "lab/collapse/placed_bursts.hpp"
 #include "lab/collapse/second_order_work.hpp"
 #include "lab/collapse/servo_search.hpp"
-#include "lab/collapse/total_uncertainty.hpp"
 #include "lab/collapse/verdict.hpp"
 #include "lab/collapse/zero_stress.hpp"
 #include "lab/measured/axis_rest.hpp"
@@ -27,6 +26,7 @@
 #include "lab/measured/path_history.hpp"
 #include "lab/measured/path_sampler.hpp"
 #include "lab/measured/specimen_volume.hpp"
+#include "lab/results/total_uncertainty.hpp"
 
 namespace triax::lab {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/collapse/total_uncertainty.hpp"
+#include "lab/results/total_uncertainty.hpp"
 
 #include <algorithm>
 #include <cmath>
