@@ -54,7 +54,7 @@ class DescentTracker {
   struct Conditions {
     bool drained = false, by_displacement = false;  ///< see Descent
     bool another_specimen = false;                  ///< than before
-    bool closed = false, held_q = false;            ///< likewise
+    bool closed = false, held_q = false;            ///< see Descent
   };
   void add(const PathPoint& point);
   /// The descent that cost most strength so far; a descent that begins before the strength lost in

@@ -409,28 +409,28 @@ Collapse CollapseMonitor::Impl::verdict_so_far() const {
   const auto peak_of_control = control_peak.finding();
   if (at_fall && control_peak.turned() && peak_of_control->instant.reading < at_fall->reading)
     reach(*at_fall, peak_of_control->instant);
-  Collapse found = verdict({.worst = work.worst(),
-                            .at_held_q = work.at_held_q(),
-                            .latest = work.latest(),
-                            .loss_of_control = lost,
-                            .loss = control.loss(),
-                            .zero_stress = zero_stress.finding(),
-                            .fall = at_fall,
-                            .fall_work = burst ? burst->work : std::nullopt,
-                            .control_peak = peak_of_control,
-                            .turned_at_held_q = control_peak.turned(),
-                            .turned_at_end = turned_at_end,
-                            .volume_by_pore_pressure = held_undrained,
-                            .states = watched_states,
-                            .points = points,
-                            .first_state = first_state,
-                            .nearest = nearest,
-                            .fall_at_rest = rest.unlikely(),
-                            .backbone = backbone.worst(),
-                            .cycles = &cycles,
-                            .limit = limit,
-                            .has_time = header.has_time},
-                           criteria.criteria());
+  Collapse found = assess({.worst = work.worst(),
+                           .at_held_q = work.at_held_q(),
+                           .latest = work.latest(),
+                           .loss_of_control = lost,
+                           .loss = control.loss(),
+                           .zero_stress = zero_stress.finding(),
+                           .fall = at_fall,
+                           .fall_work = burst ? burst->work : std::nullopt,
+                           .control_peak = peak_of_control,
+                           .turned_at_held_q = control_peak.turned(),
+                           .turned_at_end = turned_at_end,
+                           .volume_by_pore_pressure = held_undrained,
+                           .states = watched_states,
+                           .points = points,
+                           .first_state = first_state,
+                           .nearest = nearest,
+                           .fall_at_rest = rest.unlikely(),
+                           .backbone = backbone.worst(),
+                           .cycles = &cycles,
+                           .limit = limit,
+                           .has_time = header.has_time},
+                          criteria.criteria());
   if (found.onset) found.onset->total = total_uncertainty(*found.onset, header.specimen.diameter_m);
   return found;
 }
@@ -442,12 +442,12 @@ Collapse CollapseMonitor::of_the_axis() const {
   for (const Criterion& one : impl_->criteria.criteria())
     if (one.name == LossOfControl::kName)
       *std::ranges::find(criteria, one.name, &Criterion::name) = one;
-  return verdict({.loss_of_control = impl_->control.lost(),
-                  .loss = impl_->control.loss(),
-                  .first_state = impl_->first_state,
-                  .limit = impl_->limit,
-                  .has_time = impl_->header.has_time},
-                 std::move(criteria));
+  return assess({.loss_of_control = impl_->control.lost(),
+                 .loss = impl_->control.loss(),
+                 .first_state = impl_->first_state,
+                 .limit = impl_->limit,
+                 .has_time = impl_->header.has_time},
+                std::move(criteria));
 }
 
 Collapse CollapseMonitor::finish() {

@@ -12,7 +12,7 @@ constexpr double kGrowth = std::numbers::sqrt2;  ///< from one window to the nex
 constexpr double kShortest = 1.0 / 9;            ///< right end, over the readings since the onset
 constexpr double kFarthestLeft = 4.1;            ///< left end, over the right one
 constexpr double kLongest = 3;                   ///< last sweep, over the first
-constexpr double kLeastRight = 8;                ///< readings
+constexpr double kMinRight = 8;                  ///< readings
 constexpr double kOneAbove = 0.84;               ///< share below one standard deviation above
 constexpr double kAround = 12;                   ///< readings on each side that give values
 
@@ -70,10 +70,10 @@ std::optional<OnsetFit> OnsetRefiner::sweep_around(
     const PathHistory& history, double around, double last_reading,
     const std::function<double(double)>& change) const {
   std::vector<OnsetFit> fits;
-  const double centre = std::min(around, last_reading - kLeastRight);
+  const double centre = std::min(around, last_reading - kMinRight);
   const double age = last_reading - centre;
   for (double right = age; right > kShortest * age; right /= kGrowth)           // NOLINT: lengths
-    for (double left = right; left < kFarthestLeft * right; left *= kGrowth) {  // NOLINT: likewise
+    for (double left = right; left < kFarthestLeft * right; left *= kGrowth) {  // NOLINT: lengths
       auto blocks = history.between(centre - left, centre + right);
       if (change)
         for (PathSample& block : blocks)

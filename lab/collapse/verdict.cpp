@@ -289,7 +289,7 @@ void end_past_the_onset(const Evidence& e, Collapse& c) {
 
 }  // namespace
 
-Collapse verdict(const Evidence& e, std::vector<Criterion> criteria) {
+Collapse assess(const Evidence& e, std::vector<Criterion> criteria) {
   const bool few = e.backbone && !is_cyclic(e);
   if (e.points == 0 && !e.loss_of_control && !few) return not_judged(e);
   Collapse c;

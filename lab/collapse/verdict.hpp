@@ -65,6 +65,6 @@ struct Evidence {
 /// them, with the evidence of a fall or the limit surface in the first, second-order work.
 /// The loss of control is reported whatever the kind: the runaway that no growing load withdrew,
 /// or, except in cycles, where p′ or q reached zero under a prescribed displacement.
-Collapse verdict(const Evidence& evidence, std::vector<Criterion> criteria);
+Collapse assess(const Evidence& evidence, std::vector<Criterion> criteria);
 
 }  // namespace triax::lab

@@ -10,10 +10,10 @@ namespace triax::lab {
 namespace {
 
 constexpr double kAtmosphere = FluidCompliance::kAtmosphere_pa;
-constexpr double kLeastStep = 5e3;    ///< Pa of u in a B check
-constexpr double kLeastOfEach = 3;    ///< readings of each
-constexpr double kNearCheck = 2;      ///< p′ over that of the B check: its skeleton
-constexpr double kLeastSpread = 100;  ///< Pa, of √p′ + s/P, squared: what tells a slope
+constexpr double kMinStep = 5e3;    ///< Pa of u in a B check
+constexpr double kMinReadings = 3;  ///< readings of each
+constexpr double kNearCheck = 2;    ///< p′ over that of the B check: its skeleton
+constexpr double kMinSpread = 100;  ///< Pa, of √p′ + s/P, squared: enough for a slope
 
 constexpr double kWater = 2.3e-10;       ///< 1/Pa, of water in half the volume
 constexpr double kLines = 0.45e-12;      ///< m³/Pa, median
@@ -43,13 +43,13 @@ void PoreFluid::Line::add(double at, double value) {
 }
 
 double PoreFluid::Line::slope_error() const {
-  if (n < kLeastOfEach) return std::numeric_limits<double>::infinity();
+  if (n < kMinReadings) return std::numeric_limits<double>::infinity();
   return std::sqrt(std::max(yy - xy * xy / xx, 0.0) / (n - 2) / xx);
 }
 
 void PoreFluid::start_stage(const State& state) {
   stage_ = state.stage;
-  drained_before_ = drained_;  // strains start anew with each stage before shear
+  drained_before_ = drained_;  // strains begin at zero with each stage before shear
 }
 
 void PoreFluid::add(const State& state, const StageInfo* stage) {
@@ -68,15 +68,15 @@ void PoreFluid::add(const State& state, const StageInfo* stage) {
   if (stage->role != StageRole::consolidation || stage->drainage != Drainage::open) return;
   drained_ = drained_before_ + state.volumetric_strain;
   const bool is_near = !(checked_p_ > 0) || state.p_eff <= kNearCheck * checked_p_;
-  if (!is_near && consolidation_.variance() > kLeastSpread) return;
+  if (!is_near && consolidation_.variance() > kMinSpread) return;
   // What flows out is what the skeleton is compressed by and the fluid expands by: k√p′ + a/P.
-  const double expands = b_check_.n < kLeastOfEach ? 0 : b_check_.slope();
+  const double expands = b_check_.n < kMinReadings ? 0 : b_check_.slope();
   consolidation_.add(root + expands / (state.pore_pressure + kAtmosphere), drained_);
 }
 
 double PoreFluid::shown() const {
-  if (std::fabs(checked_ - checked_from_) < kLeastStep) return kMissing;
-  if (b_check_.n < kLeastOfEach || consolidation_.n < kLeastOfEach) return kMissing;
+  if (std::fabs(checked_ - checked_from_) < kMinStep) return kMissing;
+  if (b_check_.n < kMinReadings || consolidation_.n < kMinReadings) return kMissing;
   const double a = b_check_.slope() * consolidation_.slope();
   return std::isfinite(a) ? a : kMissing;
 }
@@ -93,7 +93,7 @@ double PoreFluid::shown_error() const {
 
 std::optional<double> PoreFluid::give() const {
   const double u = checked_ - checked_from_, cell = cell_ - cell_from_;
-  if (!(std::fabs(u) >= kLeastStep) || !std::isfinite(cell)) return std::nullopt;
+  if (!(std::fabs(u) >= kMinStep) || !std::isfinite(cell)) return std::nullopt;
   return std::max(cell / u - 1, 0.0);
 }
 

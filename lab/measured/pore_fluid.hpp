@@ -67,7 +67,7 @@ class PoreFluid {
   std::optional<int> stage_;
   double checked_from_ = 0, checked_ = 0;    ///< u over the B check, Pa
   double checked_p_ = 0;                     ///< the largest p′ of it, Pa
-  double cell_from_ = 0, cell_ = 0;          ///< likewise the total lateral stress
+  double cell_from_ = 0, cell_ = 0;          ///< and the total lateral stress
   double drained_ = 0, drained_before_ = 0;  ///< ε_v of consolidation, before the stage
   Line b_check_, consolidation_;             ///< √p′ over −1/P, ε_v over √p′ + s/P
 };

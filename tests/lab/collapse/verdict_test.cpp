@@ -38,7 +38,7 @@ Collapse assess(const Evidence& e) {
   criteria[0].detected = e.worst || e.at_held_q;
   criteria[1] = criterion_of(collapse_criteria()[1], e.loss_of_control);
   criteria[2] = criterion_of(collapse_criteria()[2], e.control_peak);
-  return triax::lab::verdict(e, std::move(criteria));
+  return triax::lab::assess(e, std::move(criteria));
 }
 
 CollapseKind kind(const Descent& d) {

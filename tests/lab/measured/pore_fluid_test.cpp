@@ -120,7 +120,7 @@ TEST_CASE("PoreFluid: a good B check and consolidation outweigh what is known be
   consolidate(fluid);
   const double u = 3e5, p_of_check = 3.8e5 + kAtmosphericPa;
   const FluidCompliance c = fluid.posterior(u, std::nullopt);
-  // 3.5e-8/Pa, thirty times that of water and lines: all but their share is free air.
+  // 3.5e-8/Pa, thirty times that of water and lines: the rest is free air.
   const double shown = kAir / (p_of_check * p_of_check);
   // An error of 0.3 c makes smaller values the likelier ones.
   CHECK(c.at(3.8e5) == Approx(shown).epsilon(0.25));
