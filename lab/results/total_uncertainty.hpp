@@ -24,9 +24,9 @@ struct CommonErrors {
 /// for independent δF/F, δD/D, δσ₃, δu. Each end of the interval of repeatability is widened by
 /// 1.96 u, independent of it:
 ///   v_low = v − √((v − v_repeatability)² + (1.96 u)²).
-/// The budget has the fraction of each source in the variance of η, largest first; half the width of
-/// the interval of repeatability over 1.96 is the standard uncertainty of that one. q and p′ in Pa;
-/// p′ > 0. Empty without an interval, q, p′ or at p′ ≤ 0.
+/// The budget has the fraction of each source in the variance of η, largest first; half the width
+/// of the interval of repeatability over 1.96 is the standard uncertainty of that one. q and p′ in
+/// Pa; p′ > 0. Empty without an interval, q, p′ or at p′ ≤ 0.
 std::optional<TotalUncertainty> total_uncertainty(const Instant& onset,
                                                   const std::optional<double>& diameter_m,
                                                   const CommonErrors& errors = {});

@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "lab/measured/pore_fluid.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/state.hpp"
-#include "lab/measured/pore_fluid.hpp"
 
 namespace triax::lab {
 
