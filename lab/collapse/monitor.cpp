@@ -53,7 +53,7 @@ struct CollapseMonitor::Impl {
   }
 
   void start_stage(const State& state);
-  void watch(const State& state, const std::optional<Moment>& now);
+  void watch(const State& measured, const std::optional<Moment>& now);
   void take(const PathPoint& point);
   void judge(const PathPoint& point);
   void look_nearer(const PathPoint& point);

@@ -2,6 +2,7 @@
 #include "lab/results/total_uncertainty.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -41,10 +42,10 @@ std::optional<TotalUncertainty> total_uncertainty(const Instant& onset,
   const auto of_pressure = [&](double pressure) {
     return (errors.pressure_pa + errors.pressure * std::fabs(pressure)) * rectangular;
   };
-  const Effect effects[] = {{"load cell", of_force, of_force / 3},
-                            {"diameter of the specimen", of_diameter, of_diameter / 3},
-                            {"cell pressure transducer", 0, of_pressure(cell)},
-                            {"pore pressure transducer", 0, of_pressure(u)}};
+  const std::array<Effect, 4> effects{{{"load cell", of_force, of_force / 3},
+                                       {"diameter of the specimen", of_diameter, of_diameter / 3},
+                                       {"cell pressure transducer", 0, of_pressure(cell)},
+                                       {"pore pressure transducer", 0, of_pressure(u)}}};
   double q_variance = 0, p_variance = 0, eta_variance = 0;
   TotalUncertainty total;
   for (const Effect& effect : effects) {
