@@ -23,7 +23,8 @@ constexpr double kSpan = 0.2;
 constexpr double kPast = 2;         ///< standard errors past which earlier tests are not used
 constexpr double kCovered = 0.02;   ///< of the η forecast: what has to be seen of it in the stage
 constexpr int kLooksInAll = 64;     ///< a look each so many-th part of the readings
-constexpr double kLooksFrom = 0.2;  ///< fraction of η left, from which every reading is evaluated
+constexpr int kLooksNear = 1024;    ///< near the onset: every reading of a shorter stage
+constexpr double kLooksFrom = 0.2;  ///< fraction of η left, from which it is near
 
 std::size_t first_within(const std::vector<PathMean>& means, double from) {
   const auto at = std::ranges::find_if(means, [&](const PathMean& m) { return m.eta >= from; });
@@ -82,7 +83,7 @@ PathMean latest(const std::vector<PathMean>& means, std::size_t count) {
 /// Where the onset will be, and how well that is known. What lies ahead is known up to a factor
 /// (kModel). A root behind the present state contradicts that the specimen is controlled: the
 /// interval of 90 % reaches to the present state.
-void foresee(const DrivenFit& f, double xi, DrivenPath::Control control, EtaForecast& made) {
+void set_forecast(const DrivenFit& f, double xi, DrivenPath::Control control, EtaForecast& made) {
   const bool open = control == DrivenPath::Control::held_q_open;
   double ahead = xi * f.distance, between = 0;
   if (const auto slope = f.root_of_slope(); control == DrivenPath::Control::strain_path && slope &&
@@ -173,7 +174,7 @@ bool OnsetForecast::add(const State& state) {
   const std::int64_t readings = path_.readings();
   if (readings == looked_) return false;
   const bool near = forecast_ && forecast_->left() < kLooksFrom;
-  const std::int64_t every = near ? 1 : readings / kLooksInAll;
+  const std::int64_t every = readings / (near ? kLooksNear : kLooksInAll);
   if (readings > looked_ && readings - looked_ < every) return false;
   // Means of readings are independent if half of the readings differ.
   const std::size_t half = std::max<std::size_t>(latest_of(path_.means(), readings) / 2, 1);
@@ -240,7 +241,7 @@ std::optional<EtaForecast> OnsetForecast::made() {
   EtaForecast made = described(*f, here, weight);
   const auto before = known(here.eta);
   if (xi) {
-    foresee(*f, *xi, path_.control(), made);
+    set_forecast(*f, *xi, path_.control(), made);
     if (before && *xi > 0) weigh(*before, made);
     if (on_path)
       path_at_onset(*f, made.by_earlier ? (made.eta - here.eta) / f->distance : *xi, here, made);

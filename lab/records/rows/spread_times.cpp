@@ -9,13 +9,12 @@
 namespace triax::lab {
 
 bool SpreadTimes::next(Row& row) {
-  if (group_.empty()) read_group();
+  if (returned_ == group_.size()) read_group();
   if (group_.empty()) {
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
     return false;
   }
-  row = group_.front();
-  group_.pop_front();
+  row = group_[returned_++];
   return true;
 }
 
@@ -38,6 +37,8 @@ bool SpreadTimes::is_repeated(Row& row) {
 }
 
 void SpreadTimes::read_group() {
+  group_.clear();
+  returned_ = 0;
   auto row = following_ ? std::exchange(following_, std::nullopt) : read();
   if (!row) return;
   group_.push_back(*row);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <deque>
 #include <exception>
 #include <functional>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "lab/records/findings.hpp"
 #include "lab/records/table_reader.hpp"
@@ -35,7 +36,8 @@ class SpreadTimes {
   std::function<bool(Row&)> source_;
   bool has_stage_time_;
   Findings& findings_;
-  std::deque<Row> group_;         ///< rows of one time, of which none was returned yet
+  std::vector<Row> group_;        ///< rows of one time
+  std::size_t returned_ = 0;      ///< of them
   std::optional<Row> following_;  ///< the first row after them
   std::exception_ptr failure_;    ///< of the source, after them
 };
