@@ -9,17 +9,17 @@
 namespace triax::lab {
 
 /// Calls `what` of every listener that has it, in order.
-template <class Listener, class... Told, class... Given>
-void notify(const std::vector<Listener>& listeners, std::function<void(Told...)> Listener::*what,
-            const Given&... given) {
+template <class Listener, class... Arguments, class... Given>
+void notify(const std::vector<Listener>& listeners,
+            std::function<void(Arguments...)> Listener::*what, const Given&... given) {
   for (const Listener& listener : listeners)
     if (listener.*what) (listener.*what)(given...);
 }
 
 /// Whether anybody would hear `what`.
-template <class Listener, class... Told>
+template <class Listener, class... Arguments>
 bool is_heard(const std::vector<Listener>& listeners,
-              std::function<void(Told...)> Listener::*what) {
+              std::function<void(Arguments...)> Listener::*what) {
   return std::ranges::any_of(
       listeners, [what](const Listener& listener) { return static_cast<bool>(listener.*what); });
 }

@@ -194,7 +194,7 @@ FallFit under_load(const Ending& ending, const Estimate& eta) {
   return fit;
 }
 
-/// q and p′ where the ratio was η for the last time, of means of five readings.
+/// The state where the ratio was η for the last time, of means of five readings.
 PathSample state_before(std::span<const PathSample> all, double eta) {
   constexpr std::size_t kAround = 2;
   PathSample mean;
@@ -222,14 +222,9 @@ void move_before_peak(std::span<const PathSample> all, const Ending& ending,
   const auto is_before = [&](double eta) { return std::fabs(eta) < std::fabs(last); };
   const double eta = peak.value - earlier;
   if (is_before(eta)) {
-    const PathSample at = state_before(all, eta);
-    fit.point.reading = std::round(at.signal[Signal::reading]);
-    fit.point.progress = at.signal[Signal::progress];
-    fit.point.q = at.signal[Signal::q];
-    fit.point.p_eff = at.signal[Signal::p_eff];
-    fit.point.axial_strain = at.signal[Signal::axial_strain];
-    fit.point.volumetric_strain = at.signal[Signal::volumetric_strain];
-    fit.point.pore_pressure = at.signal[Signal::pore_pressure];
+    fit.point.middle = state_before(all, eta);
+    fit.point = unsmoothed(fit.point);
+    fit.point.reading = std::round(fit.point.reading);
     span = StressSpan(fit.point.q, fit.point.p_eff);
   } else if (std::fabs(eta) < std::fabs(fit.point.eta())) {
     fit.point = ending.point_at(eta);

@@ -44,7 +44,7 @@ class PoreFluid {
   /// Compliance of a test that begins its shear at `u_pa`: median and 95 % interval of c given what
   /// the test showed and what is known before any test. Known before: ln c is normal, its
   /// median that of water in the voids and of 0.45 mm³/kPa of lines, its standard deviation a
-  /// factor of 2.5 (0.07 to 2.8 mm³/kPa with 95 %). Shown: a/P² ± the errors of both slopes, of two
+  /// factor of 2.5 (0.07 to 2.7 mm³/kPa with 95 %). Shown: a/P² ± the errors of both slopes, of two
   /// transducers that differ by 0.2 %, and 0.3 c for skeletons that do not follow √p′.
   /// What exceeds that median is taken as free air. `volume_m3`: of the specimen; empty: 70 mm by
   /// 140 mm.

@@ -76,9 +76,9 @@ struct UncertaintySource {
   double share = 0;  ///< of the variance of η
 };
 
-/// Interval of repeatability (noise, resolution, place of the onset) plus the errors that all
-/// readings have in common: zero, gain and linearity of the instruments, dimensions, compliance of
-/// the pore fluid.
+/// Interval of repeatability (noise, resolution, place of the onset, compliance of the pore fluid)
+/// plus the errors that all readings have in common: zero, gain and linearity of the instruments,
+/// dimensions (lab/results/total_uncertainty.hpp).
 struct TotalUncertainty {
   StressInterval interval;
   std::vector<UncertaintySource> budget;  ///< largest first

@@ -7,15 +7,15 @@ namespace triax::lab {
 namespace {
 
 std::string describe(const LeftToOnset& left) {
-  std::string told;
+  std::string text;
   if (left.quantity == Quantity::axial_strain)
-    told = fmt::format("{:.3f} % of axial strain", left.value * 100);
+    text = fmt::format("{:.3f} % of axial strain", left.value * 100);
   if (left.quantity == Quantity::deviator_stress)
-    told = fmt::format("{:.2f} kPa of q", left.value / 1e3);
+    text = fmt::format("{:.2f} kPa of q", left.value / 1e3);
   if (left.quantity == Quantity::mean_effective_stress)
-    told = fmt::format("{:.2f} kPa of p'", left.value / 1e3);
-  if (left.time_s) told += fmt::format(" and {:.0f} s", *left.time_s);
-  return told + " left at the present rate";
+    text = fmt::format("{:.2f} kPa of p'", left.value / 1e3);
+  if (left.time_s) text += fmt::format(" and {:.0f} s", *left.time_s);
+  return text + " left at the present rate";
 }
 
 }  // namespace
@@ -25,10 +25,10 @@ std::string describe(const Forecast& forecast) {
     return fmt::format(
         "the probability of failure within one load cycle is {:.0f} % after {:.1f} cycles",
         forecast.cyclic->probability * 100, forecast.cyclic->load_cycles);
-  std::string told = fmt::format("onset forecast at η {:.3f} ({:.3f} to {:.3f})", forecast.eta,
+  std::string text = fmt::format("onset forecast at η {:.3f} ({:.3f} to {:.3f})", forecast.eta,
                                  forecast.eta_low, forecast.eta_high);
-  if (forecast.left) told += ", " + describe(*forecast.left);
-  return told;
+  if (forecast.left) text += ", " + describe(*forecast.left);
+  return text;
 }
 
 std::string restart_words(const CyclicWarning& warning) {
@@ -38,12 +38,12 @@ std::string restart_words(const CyclicWarning& warning) {
 }
 
 std::string describe(const GuardOutcome& g) {
-  std::string told = fmt::format("on {}: {}", to_string(g.level), g.done);
-  if (g.at.axial_strain) told += fmt::format("; axial strain {:.3f} %", *g.at.axial_strain * 100);
-  if (g.at.q_pa) told += fmt::format(", q {:.2f} kPa", *g.at.q_pa / 1e3);
+  std::string text = fmt::format("on {}: {}", to_string(g.level), g.done);
+  if (g.at.axial_strain) text += fmt::format("; axial strain {:.3f} %", *g.at.axial_strain * 100);
+  if (g.at.q_pa) text += fmt::format(", q {:.2f} kPa", *g.at.q_pa / 1e3);
   if (g.second_order_work_normalised)
-    told += fmt::format(", normalised second-order work {:.3f}", *g.second_order_work_normalised);
-  return told;
+    text += fmt::format(", normalised second-order work {:.3f}", *g.second_order_work_normalised);
+  return text;
 }
 
 Event level_event(WarningLevel level, const Forecast& forecast) {

@@ -367,7 +367,7 @@ HeldTest held_test(bool turns, int readings, int runs_away_at) {
 
 }  // namespace
 
-TEST_CASE("CollapseMonitor: the turn of the volume at held q is told before the fall") {
+TEST_CASE("CollapseMonitor: the turn at held q is reported before the fall") {
   const HeldTest test = held_test(true, 6000, 5900);
   REQUIRE_FALSE(test.events.empty());
   CHECK(test.events.front().kind == EventKind::loss_of_sustainability);
