@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "lab/collapse/descent.hpp"
+#include "lab/measured/assessment_limits.hpp"
 #include "lab/measured/instant.hpp"
 
 namespace triax::lab {
@@ -73,7 +74,7 @@ void ControlPeak::check_peak(const PathPoint& smoothed, bool has_time) {
   const double scatter = gradient * std::sqrt(point.stress_variance + top_->stress_variance);
   if (fall < 5 * scatter) return;
   const double loss = fall / top_->strength();
-  if (loss < Descent::kWorthALoss || loss <= largest_loss_) return;
+  if (loss < assessment_limits::kLossOfStrength || loss <= largest_loss_) return;
   largest_loss_ = loss;
   turned_ = false;
   const std::string name =

@@ -3,13 +3,23 @@
 // One way of telling from the measured path that a specimen collapsed. The list of them is
 // criteria.cpp.
 #include <optional>
+#include <string>
 
-#include "lab/collapse/finding.hpp"
 #include "lab/measured/path_rates.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/state.hpp"
+#include "lab/results/summary.hpp"
 
 namespace triax::lab {
+
+/// What a criterion found: where, and the sentence that proves it.
+struct Finding {
+  Instant instant;
+  std::string evidence;
+  bool detected = true;  ///< false: it was looked at, and is no collapse
+  /// When that was known; empty: only when the record had ended.
+  std::optional<Moment> noticed{};
+};
 
 class CollapseCriterion {
  public:

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "lab/measured/assessment_limits.hpp"
+
 namespace triax::lab {
 namespace {
 
@@ -33,7 +35,7 @@ PathPoint zero_crossing(const PathPoint& a, const PathPoint& b, bool closed) {
 /// give negative second-order work beyond three standard errors. A few readings may be too few for
 /// sure slopes, while what was lost is plain.
 bool falls_between(const PathPoint& a, const PathPoint& b) {
-  if (a.strength() - b.strength() < Descent::kWorthALoss * a.strength()) return false;
+  if (a.strength() - b.strength() < assessment_limits::kLossOfStrength * a.strength()) return false;
   const PathStep step{b.q - a.q, b.p_eff - a.p_eff, b.axial_strain - a.axial_strain,
                       b.volumetric_strain - a.volumetric_strain};
   const double error = direction_error(step, a.stress_variance + b.stress_variance,
@@ -91,7 +93,7 @@ void DescentTracker::add(const PathPoint& point) {
   }
   if (!resolved) return;
   // Where strength grew by as much as would count as a loss, nothing was descending before.
-  if (after_ && point.strength() > (1 + Descent::kWorthALoss) * after_->strength())
+  if (after_ && point.strength() > (1 + assessment_limits::kLossOfStrength) * after_->strength())
     turn_negative_.clear();
   if (turn_negative_.add(point.work.normalised, point.normalised_error, weight)) {
     start_over(point);

@@ -11,10 +11,6 @@ namespace triax::lab {
 
 /// One stretch of negative second-order work.
 struct Descent {
-  /// Share of q that must be lost before a descent counts as a loss of sustainability: dips of a
-  /// few percent at a phase transformation are common and stop by themselves (docs/decisions).
-  static constexpr double kWorthALoss = 0.10;
-
   PathPoint onset;  ///< where second-order work vanishes
   /// Readings between which it does: from the last window before the change into the first after
   /// it.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "lab/measured/assessment_limits.hpp"
 #include "lab/measured/path_sampler.hpp"
 
 namespace triax::lab {
@@ -17,7 +18,7 @@ bool FallWatch::runs(const State& state) const {
   const State& before = *control_.before();
   const double leap = std::fabs(state.strain.axial - before.strain.axial);
   const double grown = LossOfControl::carried_load(state) / LossOfControl::carried_load(before) - 1;
-  return leap >= kRan && (holds_q_ || grown < leap / 2);
+  return leap >= assessment_limits::kRunaway && (holds_q_ || grown < leap / 2);
 }
 
 std::optional<Finding> FallWatch::watch(const State& state) {

@@ -13,14 +13,13 @@
 namespace triax::lab {
 
 /// Takes what LossOfControl finds by the axis alone for a runaway once, at two readings in a row
-/// within kPatience, the axial strain has gone by kRan beyond where the burst began and, but at
-/// held q, the load has not grown by half as much: dq dε < 0 on the growing area. A spike is gone
-/// at the second of them, a step of the load that the specimen carries has grown; either is
-/// forgotten, and rates are learned anew.
+/// within kPatience, the axial strain has gone by assessment_limits::kRunaway beyond where the
+/// runaway began and, except at constant q, the load has not grown by half as much: dq dε < 0 on
+/// the growing area. A spike is gone at the second of them, a step of the load that the specimen
+/// carries has grown. Both are ignored, and the rates start again.
 class FallWatch {
  public:
-  static constexpr double kRan = 0.005;  ///< of axial strain
-  static constexpr int kPatience = 10;   ///< readings
+  static constexpr int kPatience = 10;  ///< readings
   static constexpr int kInARow = 2;
 
   explicit FallWatch(RecordHeader header) : header_(std::move(header)) {}

@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/measured/assessment_limits.hpp"
 #include "lab/results/summary.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 
 namespace triax::lab {
 namespace {
 
-constexpr double kNear = 0.95;  ///< of the strength at the limit
+namespace limits = assessment_limits;
 constexpr const char* kGiveAngle = "give --set specimen.limit_friction_angle_deg=...";
 
 /// 3 − sin φ in compression, 3 + sin φ in extension.
@@ -32,7 +33,7 @@ double LimitSurface::strength_at(double angle, double p_eff_pa, bool compression
 }
 
 bool LimitSurface::is_below(double q_pa, double p_eff_pa, double angle) const {
-  return std::fabs(q_pa) < kNear * strength_at(angle, p_eff_pa, q_pa >= 0);
+  return std::fabs(q_pa) < limits::kInside * strength_at(angle, p_eff_pa, q_pa >= 0);
 }
 
 /// 3|q| = sin φ (6p' + q) + 6 c cos φ in compression and in extension.
@@ -59,17 +60,17 @@ void LimitSurface::watch_softening(double p_eff_pa, double angle) {
     largest_angle_ = angle;
     p_at_largest_ = p_eff_pa;
     softened_ = false;
-  } else if (std::sin(angle) < kBand * std::sin(*largest_angle_) &&
-             p_eff_pa >= kBand * p_at_largest_) {
+  } else if (std::sin(angle) < limits::kBand * std::sin(*largest_angle_) &&
+             p_eff_pa >= limits::kBand * p_at_largest_) {
     softened_ = true;
   }
 }
 
 void LimitSurface::follow_walk(double reading, double strength_pa, double angle) {
   if (!(angle > 0)) return;
-  const bool near = std::sin(angle) >= kNear * std::sin(*largest_angle_);
+  const bool near = std::sin(angle) >= limits::kInside * std::sin(*largest_angle_);
   // A new largest ratio beyond the walk's begins another one.
-  if (!near || std::sin(angle) * kBand > std::sin(walk_least_)) {
+  if (!near || std::sin(angle) * limits::kBand > std::sin(walk_least_)) {
     walk_start_.reset();
     walk_angle_ = 0;
     walk_least_ = angle;
@@ -79,7 +80,7 @@ void LimitSurface::follow_walk(double reading, double strength_pa, double angle)
   walk_start_ = std::min(*walk_start_, strength_pa);
   walk_angle_ = std::max(walk_angle_, angle);
   walk_least_ = std::min(walk_least_, angle);
-  if (strength_pa < (1 + kWalk) * *walk_start_) return;
+  if (strength_pa < (1 + limits::kWalk) * *walk_start_) return;
   if (!walks_.empty() && walk_angle_ <= 1.01 * walks_.back().angle) return;
   if (walks_.size() < kMostWalks) walks_.push_back({reading, walk_angle_});
 }
@@ -124,7 +125,7 @@ bool LimitSurface::went_beyond(double q_pa, double p_eff_pa) const {
 }
 
 std::string LimitSurface::needs_cohesion(double q_pa, double p_eff_pa) const {
-  if (given_angle_ || !(mobilised_angle(q_pa, p_eff_pa) > kSteepest)) return {};
+  if (given_angle_ || !(mobilised_angle(q_pa, p_eff_pa) > limits::kSteepest)) return {};
   return fmt::format(
       "q/p' is {:.2f}, {:.1f}° of friction without cohesion, more than friction alone carries: "
       "over-consolidated clay, cemented soil and rock have cohesion. With c' and φ' unknown a loss "

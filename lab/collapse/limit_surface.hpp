@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +16,7 @@ namespace triax::lab {
 ///   an onset at a ratio well below one that was mobilised at any time is not on the limit, but the
 ///   largest ratio of a test is a lower bound of the limit and no limit;
 ///   an onset lies on the limit where the path had walked along it before: q grew by kWalk while
-///   sin φ stayed within a tenth, and within 5 % of its largest;
+///   sin φ stayed within a tenth, and within 5 % of its largest (assessment_limits.hpp);
 ///   and where the ratio itself fell afterwards, by a tenth, while p' did not: the skeleton lost
 ///   friction. Where a specimen liquefies p' falls, and the ratio grows on;
 ///   else nobody knows, and nothing is excused by the ratio at which a specimen fell.
@@ -51,12 +50,7 @@ class LimitSurface {
   /// otherwise.
   std::string needs_cohesion(double q_pa, double p_eff_pa) const;
 
-  /// Largest friction angle (rad) of a soil without cohesion at the stresses of a triaxial test.
-  static constexpr double kSteepest = 50 * std::numbers::pi / 180;
-
  private:
-  static constexpr double kWalk = 0.2;
-  static constexpr double kBand = 0.9;  ///< smallest over largest ratio of one walk
   static constexpr std::size_t kMostWalks = 64;
   struct Walk {
     double reading = 0;  ///< at which it had been long enough

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "lab/measured/assessment_limits.hpp"
 #include "lab/measured/path_sampler.hpp"
 
 namespace triax::lab {
 namespace {
+
+namespace limits = assessment_limits;
 
 constexpr double kLeap = 1e-3;         ///< axial strain: less says nothing of a direction
 constexpr double kConsolidated = 1.1;  ///< of σ₃′ when it ran
@@ -48,8 +51,8 @@ double LossAndReturn::lost() const { return before_ > 0 ? 1 - least_ / before_ :
 double LossAndReturn::regained() const { return before_ > 0 ? (most_ - least_) / before_ : 0; }
 
 bool LossAndReturn::came_back() const {
-  return regained() >= std::max(kGrowth, kReturn * lost()) &&
-         most_ - least_ > kNoises * noise_.value();
+  return regained() >= std::max<double>(limits::kGrowth, limits::kReturn * lost()) &&
+         most_ - least_ > limits::kNoise * noise_.value();
 }
 
 }  // namespace triax::lab

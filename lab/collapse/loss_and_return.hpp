@@ -20,11 +20,6 @@ namespace triax::lab {
 /// water could flow, once σ₃′ grows by more than a tenth.
 class LossAndReturn {
  public:
-  /// Share of the strength before by which it has to grow again: less is the servo's search.
-  static constexpr double kGrowth = 0.05;
-  static constexpr double kReturn = 0.5;  ///< of what was lost
-  static constexpr double kNoises = 18;   ///< of BendNoise: 10.4 standard deviations of q
-
   /// `before`: the last reading before the runaway; `leap` of the axial strain: in cycles a
   /// specimen runs into compression while q is still on the other side of zero, and becomes strong
   /// there.

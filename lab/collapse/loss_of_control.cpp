@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lab/measured/assessment_limits.hpp"
 #include "lab/measured/instant.hpp"
 
 namespace triax::lab {
@@ -20,7 +21,6 @@ constexpr double kBurst = 10;         ///< times the rate of the stage so far
 constexpr double kFall = 0.01;        ///< axial strain between two readings
 constexpr double kLostQ = 0.05;       ///< share of the q that was
 constexpr double kLeastShare = 0.05;  ///< of p', by which the pore pressure bursts
-constexpr double kRunaway = 0.005;    ///< axial strain of a burst that is one
 
 /// Per second where there is time, so that a logger that slows down makes no burst; else per
 /// reading.
@@ -121,7 +121,7 @@ void LossOfControl::Run::add(const State& state) {
   if (!under_load || readings > kRecent) return;
   const auto outran = [&](const State& from) {
     const double leap = std::fabs(state.strain.axial - from.strain.axial);
-    return leap >= kRunaway && load / carried_load(from) - 1 < leap / 2;
+    return leap >= assessment_limits::kRunaway && load / carried_load(from) - 1 < leap / 2;
   };
   ran_away = ran_away || outran(before) || outran(previous);
   previous = state;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lab/base/listeners.hpp"
+#include "lab/collapse/assessment.hpp"
 #include "lab/collapse/control_peak.hpp"
 #include "lab/collapse/criteria.hpp"
 #include "lab/collapse/last_readings.hpp"
@@ -18,7 +19,6 @@
 #include "lab/collapse/placed_bursts.hpp"
 #include "lab/collapse/second_order_work.hpp"
 #include "lab/collapse/servo_search.hpp"
-#include "lab/collapse/verdict.hpp"
 #include "lab/collapse/zero_stress.hpp"
 #include "lab/measured/axis_rest.hpp"
 #include "lab/measured/instant.hpp"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "lab/collapse/criterion.hpp"
 #include "lab/collapse/fall_work.hpp"
-#include "lab/collapse/finding.hpp"
 #include "lab/collapse/loss_of_control.hpp"
 #include "lab/measured/path_history.hpp"
 #include "lab/measured/pore_fluid.hpp"

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "lab/measured/assessment_limits.hpp"
 #include "lab/measured/instant.hpp"
 #include "lab/measured/path_sampler.hpp"
 
@@ -59,7 +60,7 @@ void SecondOrderWork::add_point(const PathPoint& point, bool has_time) {
 }
 
 bool SecondOrderWork::latest_counts() const {
-  return latest() && (latest()->strength_loss() >= Descent::kWorthALoss ||
+  return latest() && (latest()->strength_loss() >= assessment_limits::kLossOfStrength ||
                       (held_q_ && lasts_at_held_q(*latest())));
 }
 
@@ -73,7 +74,7 @@ std::optional<Finding> SecondOrderWork::finding() const {
   if (!descent) return std::nullopt;
   return Finding{.instant = onset_of(*descent, has_time_),
                  .evidence = describe(*descent),
-                 .detected = held || descent->strength_loss() >= Descent::kWorthALoss,
+                 .detected = held || descent->strength_loss() >= assessment_limits::kLossOfStrength,
                  .noticed = descent->noticed};
 }
 

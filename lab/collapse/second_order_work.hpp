@@ -21,7 +21,7 @@ class SecondOrderWork : public CollapseCriterion {
   void start_stage(const StageInfo* stage) override;
   void add_point(const PathPoint& point, bool has_time) override;
   /// The descent at held q, if any lasted, else the worst; detected where it lasted, or cost
-  /// Descent::kWorthALoss of the strength.
+  /// assessment_limits::kLossOfStrength.
   std::optional<Finding> finding() const override;
 
   const std::optional<Descent>& latest() const { return descents_.latest(); }

@@ -3,7 +3,7 @@
 // Loss of control under a prescribed displacement: the specimen has no stress left.
 #include <optional>
 
-#include "lab/collapse/finding.hpp"
+#include "lab/collapse/criterion.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/state.hpp"
 

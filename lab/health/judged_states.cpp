@@ -14,8 +14,9 @@
 namespace triax::lab {
 namespace {
 
-/// Across a stretch that was not seen: less than what counts as a collapse (Descent::kWorthALoss of
-/// q; of p′, which q follows; at held q 1 % of axial strain, see lasts_at_held_q).
+/// Across a stretch without readings: less than what counts as a collapse, which is
+/// assessment_limits::kLossOfStrength of q, and 1 % of axial strain at constant q
+/// (lasts_at_held_q). The limit of q is used for p′, which q follows.
 constexpr double kChangeOfStress = 0.10;
 constexpr double kChangeOfStrain = 0.01;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/measured/assessment_limits.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 #include "sim/mechanics/units.hpp"
 
@@ -123,7 +124,7 @@ bool Plausibility::add(const State& s) {
   highest_strain_ = std::max(highest_strain_, strain);
   if (!(s.p_eff > kWorth * first_->p_eff)) return true;
   if (!tension_ && smaller_stress(s) < 0) tension_ = s;
-  if (!steep_ && limit_.mobilised_angle(s.q, s.p_eff) > LimitSurface::kSteepest) steep_ = s;
+  if (!steep_ && limit_.mobilised_angle(s.q, s.p_eff) > assessment_limits::kSteepest) steep_ = s;
   return true;
 }
 
@@ -185,7 +186,7 @@ std::vector<Warning> Plausibility::warnings() const {
     all.push_back(
         {0, fmt::format("the mobilised friction angle exceeds {:.0f} degrees at reading {} "
                         "(q/p' {:.2f}): {}",
-                        sim::degrees(LimitSurface::kSteepest), steep_->reading,
+                        sim::degrees(assessment_limits::kSteepest), steep_->reading,
                         steep_->q / steep_->p_eff, steep_words())});
   return all;
 }

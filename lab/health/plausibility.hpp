@@ -32,7 +32,7 @@ namespace triax::lab {
 ///                collapsed, and its strain was measured elsewhere
 ///   to be told   q below −5 kPa and −2 % of p'₀ where compression begins (a load cell that was not
 ///                set to zero), σ₃' below zero, a mobilised friction angle above that of any soil
-///                without cohesion (LimitSurface::kSteepest)
+///                without cohesion (assessment_limits::kSteepest)
 class Plausibility {
  public:
   /// q/p' of 65 degrees in compression and in extension.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/measured/assessment_limits.hpp"
+
 namespace triax::lab {
 namespace {
 
@@ -82,7 +84,7 @@ bool AxisRest::has_stopped(const PathPoint& point) const {
 void AxisRest::watch_fall(const PathPoint& point) {
   const double share = 1 - strength(point) / std::fabs(q_at_stop_);
   const bool dead = std::fabs(advance(point)) < kDead * typical_ * lapse(*slow_from_, point);
-  if (!(share > kUnlikely) || !dead || !stopped_under_load_) return;
+  if (!(share > assessment_limits::kRelaxation) || !dead || !stopped_under_load_) return;
   if (unlikely_ && unlikely_->reading != stopped_at_) return;
   unlikely_ = Fall{stopped_at_, share, q_at_stop_};
 }

@@ -21,10 +21,8 @@ class AxisRest {
  public:
   static constexpr double kSlow = 0.5, kResumes = 0.2, kRests = 0.1;
   static constexpr std::size_t kHeld = 64;
-  /// A fall of |q| at rest, of what it was, that no relaxation explains: what was read as rest may
-  /// be a displacement transducer that is dead, and nothing is known of what followed. None where q
-  /// goes on to kReversed of it with the other sign: that is driven.
-  static constexpr double kUnlikely = 0.3, kReversed = 0.1;
+  /// q that goes on to this fraction of what it was, with the other sign, is driven.
+  static constexpr double kReversed = 0.1;
 
   struct Fall {
     std::int64_t reading = 0;  ///< where the rest began
@@ -38,7 +36,9 @@ class AxisRest {
   const std::vector<PathPoint>& add(const PathPoint& point);
   /// The stage is over: what was in doubt is to be judged.
   const std::vector<PathPoint>& finish();
-  /// The first rest during which more was lost than kUnlikely.
+  /// The first rest during which |q| fell by more than relaxation explains
+  /// (assessment_limits::kRelaxation): what was read as rest may be a displacement transducer that
+  /// is stuck, and nothing is known of what followed.
   const std::optional<Fall>& unlikely() const { return unlikely_; }
 
  private:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/measured/assessment_limits.hpp"
 #include "lab/measured/path_rates.hpp"
 
 namespace triax::lab {
@@ -12,8 +13,8 @@ namespace {
 constexpr double kStep = 1e-5;   ///< axial strain that is larger than before
 constexpr double kTurn = 2e-4;   ///< back from the farthest: unloading, not noise
 constexpr double kRegain = 1.1;  ///< of p′, from one stage to the next: consolidated anew
-// A leap of the strain within which most of q went is no outlier of a load cell.
-constexpr double kLeap = 0.01, kLeapOfSteps = 3, kGone = 0.5;
+namespace limits = assessment_limits;
+constexpr double kLeapOfSteps = 3;  ///< times the largest step of the strain before
 
 PathStep step_between(const State& from, const State& to) {
   return {to.q - from.q, to.p_eff - from.p_eff, to.strain.axial - from.strain.axial,
@@ -61,7 +62,8 @@ void Backbone::Side::begin(const State& state) {
 }
 
 bool Backbone::Side::gone(const State& state) const {
-  return strength(state) < (1 - kWorth) * strength(fall.peak) - kNoises * fall.noise;
+  return strength(state) <
+         (1 - limits::kLossOfStrength) * strength(fall.peak) - limits::kNoise * fall.noise;
 }
 
 /// The strength is gone at this state. A single one may be an outlier: it shows no pace.
@@ -108,7 +110,8 @@ void Backbone::Side::descend(const State& state, double step, bool drained) {
   pace = pace_of_recent();
   note_low(state);
   fall.drained = drained;
-  fall.confirmed = now < kGone * peak && step > std::max(kLeap, kLeapOfSteps * largest_step);
+  fall.confirmed = now < limits::kLeapLoss * peak &&
+                   step > std::max<double>(limits::kLeap, kLeapOfSteps * largest_step);
 }
 
 bool Backbone::Side::counts() const {

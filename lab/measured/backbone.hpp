@@ -40,17 +40,16 @@ struct BackboneFall {
 /// comes back from an unloading it begins anew, with the strength that the loop left: a loss along
 /// it is one of monotonic shear. Compression and extension each by itself, in constant memory.
 ///
-/// A fall counts if |q| lost kWorth of the peak and kNoises times its noise within kFew readings
+/// A fall counts if |q| lost kLossOfStrength of the peak and kNoise times its noise
+/// (assessment_limits.hpp) within kFew readings
 /// (windows assess slower ones), the axis went on while the strength was gone, and second-order
 /// work is negative.
 class Backbone {
  public:
   static constexpr double kHigh = 0.98;                       ///< of the peak: nearly all of it
-  static constexpr double kWorth = 0.10;                      ///< as Descent::kWorthALoss
   static constexpr double kMinStrain = 5e-4, kMinPace = 0.5;  ///< BackboneFall::axis_went_on
   static constexpr double kMinRatio = 0.05;                   ///< |q|/p′ of a peak that is one
-  static constexpr double kNoises = 18;     ///< of BendNoise: 10.4 standard deviations
-  static constexpr std::int64_t kFew = 32;  ///< readings
+  static constexpr std::int64_t kFew = 32;                    ///< readings
 
   void start_stage(bool drained);
   /// What is confirmed by this state is known at the reading `now`.

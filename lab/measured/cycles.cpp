@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/measured/assessment_limits.hpp"
 #include "lab/measured/instant.hpp"
 
 namespace triax::lab {
+
+namespace limits = assessment_limits;
 void CycleCounter::Range::add(double value) {
   low = std::min(low, value);
   high = std::max(high, value);
@@ -27,7 +30,7 @@ void CycleCounter::add(const State& state) {
 }
 
 void CycleCounter::follow(const State& state) {
-  const double least = std::max(kLeast * std::fabs(first_->p_eff), kNoises * noise_.value());
+  const double least = std::max(kLeast * std::fabs(first_->p_eff), limits::kNoise * noise_.value());
   if (direction_ == 0) {
     const double moved = state.q - first_->q;
     if (std::fabs(moved) > least) direction_ = moved > 0 ? 1 : -1;
@@ -41,7 +44,7 @@ void CycleCounter::follow(const State& state) {
 
 void CycleCounter::follow_strain(double strain) {
   strain_noise_.add(strain);
-  const double least = std::max(kLeastStrain, kNoises * strain_noise_.value());
+  const double least = std::max(kMinStrain, limits::kNoise * strain_noise_.value());
   const double moved = strain - strain_extreme_;
   if (strain_direction_ == 0) {
     if (std::fabs(moved) < least) return;
@@ -106,7 +109,7 @@ void CycleCounter::watch_pore_pressure(const State& state) {
       (std::isfinite(by_water) ? by_water : by_stress) / first_->effective_stress.radial;
   if (!(ratio > found_.largest_pore_pressure_ratio)) return;
   found_.largest_pore_pressure_ratio = ratio;
-  if (ratio >= kLiquefied && !found_.liquefied) found_.liquefied = at(state);
+  if (ratio >= limits::kLiquefied && !found_.liquefied) found_.liquefied = at(state);
 }
 
 void CycleCounter::watch_strain(const State& state) {
@@ -116,7 +119,7 @@ void CycleCounter::watch_strain(const State& state) {
   const double amplitude = half.size();
   if (turns_ < 2 || !(amplitude > found_.largest_double_amplitude)) return;
   found_.largest_double_amplitude = amplitude;
-  if (amplitude >= kDoubleAmplitude && !found_.double_amplitude)
+  if (amplitude >= limits::kDoubleAmplitude && !found_.double_amplitude)
     found_.double_amplitude = at(state);
 }
 

@@ -11,8 +11,8 @@
 namespace triax::lab {
 
 /// Counts the turns of q, or, where the strain is driven to and fro while q fades, those of the
-/// axial strain (by kLeastStrain and kNoises times its noise), beside what the logger counts
-/// itself: where it comes back by more than kLeast p′₀ and kNoises times its noise. Two turns are a
+/// axial strain (by kMinStrain and kNoise times its noise), beside what the logger counts itself:
+/// where it comes back by more than kLeast p′₀ and kNoise times its noise. Two turns are a
 /// cycle; from kFewest turns on a test is a cyclic one. The double amplitude is the strain from
 /// turn to turn, counted while q lies between the last two of them: shear that goes on beyond them,
 /// between loops of unloading or after the cycles, is none. Of cycles of strain it is what was
@@ -20,11 +20,8 @@ namespace triax::lab {
 class CycleCounter {
  public:
   static constexpr double kLeast = 0.05;
-  static constexpr double kLeastStrain = 5e-4;
-  static constexpr double kNoises = 18;  ///< of BendNoise: 10.4 standard deviations
+  static constexpr double kMinStrain = 5e-4;
   static constexpr int kFewest = 4;
-  static constexpr double kLiquefied = 0.95;        ///< r_u of initial liquefaction
-  static constexpr double kDoubleAmplitude = 0.05;  ///< of the axial strain within a cycle
 
   explicit CycleCounter(bool has_time) : has_time_(has_time) {}
 

@@ -71,6 +71,9 @@ void Collapse::remove_onset() {
   onset.reset();
   onset_detected_at.reset();
   inside_limit_surface.reset();
+  second_order_work_normalised.reset();
+  second_order_work_error.reset();
+  strength_lost.reset();
   if (!limit_stress_ratio || limit_source == kGivenLimit || limit_source == kGivenLimitWithCohesion)
     return;
   limit_stress_ratio.reset();
@@ -95,9 +98,6 @@ void Collapse::withhold(const std::string& reason) {
   kind = CollapseKind::none;
   remove_onset();
   remove_loss_of_control();
-  second_order_work_normalised.reset();
-  second_order_work_error.reset();
-  strength_lost.reset();
   judged_until.reset();
   judged_until_reason = reason;
   for (Criterion& c : criteria) c.detected.reset();

@@ -220,7 +220,7 @@ struct Collapse {
 
  private:
   void explain(const std::string& reason);
-  /// Removes also a limit that only the failure at the onset had shown.
+  /// With its work and strength, and a limit that only the failure there had shown.
   void remove_onset();
   void remove_loss_of_control();
 };

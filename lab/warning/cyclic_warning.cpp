@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lab/measured/assessment_limits.hpp"
 #include "lab/measured/cycles.hpp"
 
 namespace triax::lab {
@@ -81,7 +82,7 @@ double CyclicWarning::sine(double q, double p_eff) const {
 }
 
 double CyclicWarning::min_range() const {
-  return std::max(kMinRange * first_->p_eff, CycleCounter::kNoises * noise_.value());
+  return std::max(kMinRange * first_->p_eff, assessment_limits::kNoise * noise_.value());
 }
 
 double CyclicWarning::range() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lab/collapse/verdict.hpp"
+#include "lab/collapse/assessment.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -82,7 +82,7 @@ TEST_CASE("a drained peak is a failure where nobody knows that it lies inside th
   peak.drained = false;
   CHECK(assess({.worst = peak, .points = 50, .limit = unknown}).kind == CollapseKind::partial);
 
-  // From a fiftieth on it is told, if second-order work was surely negative.
+  // From a fiftieth on it is reported, if second-order work was negative beyond its error.
   Descent small = descent(100e3, 120e3, 4e3, 96e3);
   small.drained = true;
   small.evidence.normalised_error = 0.05;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the criteria come to together.
+// The result of an assessment, from everything that was found.
 #include <optional>
 #include <vector>
 
+#include "lab/collapse/criterion.hpp"
 #include "lab/collapse/descent.hpp"
 #include "lab/collapse/fall_work.hpp"
-#include "lab/collapse/finding.hpp"
 #include "lab/collapse/limit_surface.hpp"
 #include "lab/collapse/loss_and_return.hpp"
 #include "lab/measured/axis_rest.hpp"
@@ -47,24 +47,9 @@ struct Evidence {
   bool has_time = true;
 };
 
-/// The result of all evidence:
-///
-///   flow     half the strength or more is lost and less than half of that returns, in the descent
-///            or by a loss of control after it; or the specimen yields at held q and loses a tenth
-///            of it or runs away; or it runs away and its strength does not return
-///   limited  a tenth or more is lost, or it runs away, and half of that returns (LossAndReturn)
-///   partial  a tenth or more is lost, and neither of the two
-///   cyclic   cycles of load liquefied the specimen and were carried all the same
-///   none     less is lost, or the onset is on the limit surface: softening of dense sand is a
-///            failure. So is a peak of q with open drainage under prescribed displacement, reported
-///            from a fiftieth of the strength, unless the friction angle is known to be larger.
-///
-/// Strength that was lost within fewer readings than windows need counts by the work of its finite
-/// increment. Nothing is assessed after a loss that a single reading shows, nor if the record ends
-/// with negative second-order work. `criteria` are those of Criteria::criteria(). The result has
-/// them, with the evidence of a fall or the limit surface in the first, second-order work.
-/// The loss of control is reported whatever the kind: the runaway that no growing load withdrew,
-/// or, except in cycles, where p′ or q reached zero under a prescribed displacement.
+/// The result of all evidence by the table of rules (assessment_rules.hpp), which `triax about
+/// --rules` prints. `criteria` are those of Criteria::criteria(). The result has them, with the
+/// evidence of a fall or the limit surface in the first, second-order work.
 Collapse assess(const Evidence& evidence, std::vector<Criterion> criteria);
 
 }  // namespace triax::lab
