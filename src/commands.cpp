@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/commands.hpp"
 
+#include "src/about/about.hpp"
 #include "src/calibrate/calibrate.hpp"
 #include "src/domain/domain.hpp"
 #include "src/element/element.hpp"
@@ -28,7 +29,7 @@ const std::vector<Command>& commands() {
       export_command(),   tests_command(),  element_command(), materials_command(),
       probe_command(),    domain_command(), soil_command(),    calibrate_command(),
       grains_command(),   serve_command(),  run_command(),     record_command(),
-      rig_command(),      open_command()};
+      rig_command(),      open_command(),   about_command()};
   return all;
 }
 

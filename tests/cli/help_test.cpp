@@ -12,9 +12,10 @@ using namespace triax::cli_tests;
 
 namespace {
 
-const char* const kCommands[] = {"simulate",  "replay", "report", "query",     "tests", "element",
-                                 "materials", "probe",  "domain", "grains",    "serve", "run",
-                                 "record",    "rig",    "open",   "calibrate", "soil",  "export"};
+const char* const kCommands[] = {"simulate",  "replay",    "report", "query",  "tests",
+                                 "element",   "materials", "probe",  "domain", "grains",
+                                 "serve",     "run",       "record", "rig",    "open",
+                                 "calibrate", "soil",      "export", "about"};
 
 std::set<std::string> long_options(const std::string& text) {
   std::set<std::string> options;

@@ -8,7 +8,7 @@ triax=$(realpath "$triax")
 golden=tests/cli/golden
 mkdir -p "$golden"
 "$triax" --help >"$golden/help.txt"
-for command in simulate replay report query tests element materials probe domain grains serve run record rig open calibrate soil export; do "$triax" "$command" --help >"$golden/help_$command.txt"; done
+for command in simulate replay report query tests element materials probe domain grains serve run record rig open calibrate soil export about; do "$triax" "$command" --help >"$golden/help_$command.txt"; done
 "$triax" query --list >"$golden/query_list.txt"
 # A lost control is status 1 by contract.
 for path in icu_100 load_beyond_limit; do

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/about/about.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "lab/collapse/assessment_rules.hpp"
+#include "lab/measured/assessment_limits.hpp"
+#include "sim/mechanics/axisymmetric.hpp"
+#include "src/output/output.hpp"
+#include "src/output/table.hpp"
+#include "src/output/wrapping.hpp"
+#include "src/study/version.hpp"
+
+namespace triax::src {
+namespace {
+
+constexpr std::size_t kWidth = 88;
+
+std::string about_text() {
+  return fmt::format(
+      "triax {}\nTriaxial tests on soil: records, simulation, rigs, instability.\n"
+      "Science:  F. Darve, L. Sibille, A. Daouadji, F. Nicot, Bifurcations in granular media,\n"
+      "          C. R. Mecanique 335 (2007)\n"
+      "Licence:  GPL-3.0-or-later, without any warranty\n",
+      study::version());
+}
+
+std::string part_of_rule(const char* label, std::string_view text) {
+  std::string out;
+  for (const std::string& line : wrapped(std::string(text), kWidth))
+    out += fmt::format("    {:<4}  {}\n", out.empty() ? label : "", line);
+  return out;
+}
+
+std::string value_of(const lab::AssessmentLimit& limit) {
+  const double shown = limit.unit == "%"   ? limit.value * 100
+                       : limit.unit == "°" ? sim::degrees(limit.value)
+                                           : limit.value;
+  return fmt::format("{:.3g}{}{}", shown, limit.unit.empty() ? "" : " ", limit.unit);
+}
+
+std::string rules_text() {
+  std::string out =
+      "Rules of an assessment, applied once from top to bottom. Each sees what the rules above it "
+      "left.\n\n";
+  int number = 0;
+  for (const lab::AssessmentRule& rule : lab::assessment_rules()) {
+    out += fmt::format("{:2}  {}\n", ++number, rule.name);
+    out += part_of_rule("if", rule.condition);
+    out += part_of_rule("then", rule.result);
+  }
+  Table limits{.columns = {{"limit"}, {"value", Align::right}, {"reason"}}};
+  for (const lab::AssessmentLimit& limit : lab::assessment_limits::kAll)
+    limits.rows.push_back({std::string(limit.name), value_of(limit), std::string(limit.reason)});
+  return out + "\nLimits\n\n" + to_text(limits);
+}
+
+}  // namespace
+
+Command about_command() {
+  return {.name = "about",
+          .purpose = "Print the version, the licence and the rules of an assessment",
+          .description = {"With --rules, prints the table of rules that makes the result of an "
+                          "assessment from what was found in a test, and the limits of these "
+                          "rules."},
+          .examples = {{"triax about", "print version and licence"},
+                       {"triax about --rules", "print the rules of an assessment"}},
+          .set_up = [](CLI::App& app) -> std::function<void()> {
+            const auto rules = std::make_shared<bool>(false);
+            app.add_flag("--rules", *rules, "print the rules and limits of an assessment");
+            return [rules] { print(*rules ? rules_text() : about_text()); };
+          }};
+}
+
+}  // namespace triax::src
