@@ -200,7 +200,7 @@ bool print_bounds(const Group& collapses, const Group& controls) {
   };
   fmt::print("\n");
   at_least(share(force, warned), 99, "of falls under force warned of before");
-  at_least(share(frame, warned), 95, "of onsets by displacement told within ten readings");
+  at_least(share(frame, warned), 95, "of onsets by displacement reported within ten readings");
   const double lead = median(leads);
   all &= hold(lead >= 1, fmt::format("median lead {:.1f} times the shorter of a tenth of the stage "
                                      "and 60 s, asked 1 at least",

@@ -131,7 +131,7 @@ void print_guard_trials(const std::string& title, const std::vector<GuardTrial>&
   print_catches("all", falls);
   const auto acted = [](const GuardTrial* t) { return t->acted_s.has_value(); };
   const auto said = [](const GuardTrial* t) { return t->said_lost; };
-  fmt::print("\n{} controls: {:.2f} % caught falsely, {:.2f} % said to be lost\n", controls.size(),
+  fmt::print("\n{} controls: {:.2f} % caught falsely, {:.2f} % reported as lost\n", controls.size(),
              share(std::ranges::count_if(controls, acted), controls.size()),
              share(std::ranges::count_if(controls, said), controls.size()));
   if (!failures) return;
@@ -145,7 +145,7 @@ void print_guard_trials(const std::string& title, const std::vector<GuardTrial>&
   for (const auto* t : controls)
     if (acted(t) || said(t))
       fmt::print("control {} {} seed {}: guard {:.0f} s{}\n", t->programme, t->material, t->seed,
-                 t->acted_s.value_or(NAN), t->said_lost ? ", said to be lost" : "");
+                 t->acted_s.value_or(NAN), t->said_lost ? ", reported as lost" : "");
 }
 
 }  // namespace triax::bench

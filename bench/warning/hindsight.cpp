@@ -15,15 +15,18 @@ constexpr double kTenth = 0.1;
 }  // namespace
 
 Hindsight::Hindsight(const AlarmTest& test)
-    : test_(test), then_s_(*test.truth->time_s - kTenth * test.trial.stage_s) {}
+    : test_(test),
+      then_s_(*test.truth->time_s - kTenth * test.trial.stage_s),
+      volume_(test.header.specimen) {}
 
 lab::SessionListener Hindsight::listener() {
   lab::SessionListener listener;
-  listener.scanned = [this](const lab::Reading&, const lab::State& state) {
-    if (state.time_s > then_s_ || !lab::complete(state)) return;
-    const lab::StageInfo* stage = test_.header.stage(state.stage);
-    if (!lab::is_watched(stage)) return fluid_.add(state, stage);
-    if (stage_ != state.stage) path_.start_stage(stage, true, fluid_);
+  listener.scanned = [this](const lab::Reading&, const lab::State& measured) {
+    if (measured.time_s > then_s_ || !lab::complete(measured)) return;
+    const lab::StageInfo* stage = test_.header.stage(measured.stage);
+    const lab::State state = volume_.with_fluid(measured, stage);
+    if (!lab::is_watched(stage)) return;
+    if (stage_ != state.stage) path_.start_stage(stage, true, volume_);
     stage_ = state.stage;
     path_.add(state);
   };

@@ -29,7 +29,7 @@ class Hindsight {
   const AlarmTest& test_;
   double then_s_;
   std::optional<int> stage_;
-  lab::PoreFluid fluid_;
+  lab::SpecimenVolume volume_;
   lab::DrivenPath path_;
 };
 

@@ -77,7 +77,7 @@ lab::EarlierTests earlier_of(const bench::SimulatedBefore& before) {
 }
 
 struct All {
-  /// Seed by seed, in the order of the subjects: by itself, told of two tests, of a simulation.
+  /// Seed by seed, in the order of the subjects: alone, with two tests, with a simulation.
   std::vector<bench::AlarmTrial> alone, told, by_law;
   std::vector<bench::LimitTrial> limits;
 };
@@ -137,9 +137,9 @@ void run_guards(const std::vector<bench::Subject>& subjects, const Options& o) {
     told.insert(told.end(), knowing.begin(), knowing.end());
     by_law.insert(by_law.end(), foreknowing.begin(), foreknowing.end());
   }
-  bench::print_guard_trials("The guard, by itself", alone, o.failures);
-  bench::print_guard_trials("The guard, told of two earlier tests", told, o.failures);
-  bench::print_guard_trials("The guard, told of a simulation by its law", by_law, o.failures);
+  bench::print_guard_trials("The guard alone", alone, o.failures);
+  bench::print_guard_trials("The guard with two earlier tests", told, o.failures);
+  bench::print_guard_trials("The guard with a simulation by its law", by_law, o.failures);
 }
 
 int run(const Options& o) {
@@ -159,12 +159,12 @@ int run(const Options& o) {
           .limits = {}};
   for (std::size_t place = 0; place < subjects.size(); ++place)
     run_subject(subjects[place], place, subjects.size(), o, all);
-  const bool held = bench::print_alarm_trials("The alarm by itself", all.alone, o.failures);
+  const bool held = bench::print_alarm_trials("The alarm alone", all.alone, o.failures);
   fmt::print("\n");
   const bool told =
-      bench::print_alarm_trials("The alarm, told of two earlier tests", all.told, o.failures);
+      bench::print_alarm_trials("The alarm with two earlier tests", all.told, o.failures);
   fmt::print("\n");
-  const bool by_law = bench::print_alarm_trials("The alarm, told of a simulation by its law",
+  const bool by_law = bench::print_alarm_trials("The alarm with a simulation by its law",
                                                 all.by_law, o.failures);
   bench::print_limits(all.limits);
   if (!o.worst.empty()) bench::write_worst(all.alone, subjects, o.worst);

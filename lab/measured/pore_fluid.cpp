@@ -97,14 +97,9 @@ std::optional<double> PoreFluid::give() const {
   return std::max(cell / u - 1, 0.0);
 }
 
-double PoreFluid::compliance(double u_pa) const {
-  const double p = u_pa + kAtmosphere, a = shown();
-  return p > 0 && a > 0 ? a / (p * p) : 0;
-}
-
-double PoreFluid::strain(double u_pa) const {
-  const double p = u_pa + kAtmosphere, a = shown();
-  return p > 0 && a > 0 ? -a / p : 0;
+double PoreFluid::air() const {
+  const double a = shown();
+  return a > 0 ? a : 0;
 }
 
 /// Posterior distribution by the trapezoidal rule over ln c, six standard deviations to each side.

@@ -34,12 +34,10 @@ class PoreFluid {
  public:
   /// The next state before shear; `stage` may be null. Pre-condition: complete(state).
   void add(const State& state, const StageInfo* stage);
-  /// a/P² at that pore pressure, 1/Pa; 0 where no B check and consolidation show it.
-  double compliance(double u_pa) const;
+  /// a, Pa; 0 where no B check and consolidation show it.
+  double air() const;
   /// (1 − B)/B of the B check: c times the stiffness of the skeleton; empty without a check.
   std::optional<double> give() const;
-  /// −a/P: volumetric strain beside what flows out, up to a constant.
-  double strain(double u_pa) const;
 
   /// Compliance of a test that begins its shear at `u_pa`: median and 95 % interval of c given what
   /// the test showed and what is known before any test. Known before: ln c is normal, its

@@ -13,6 +13,7 @@ namespace triax::lab {
 /// pressure the measured volume is the specimen's.
 class SpecimenVolume {
  public:
+  SpecimenVolume() = default;  ///< of a specimen without dimensions
   explicit SpecimenVolume(const SpecimenInfo& specimen);
 
   /// The next state of the test; `stage` may be null. In shear the state with the volumetric strain
@@ -20,6 +21,8 @@ class SpecimenVolume {
   State with_fluid(const State& state, const StageInfo* stage);
   /// c of the shear under way; empty before shear or without a pore pressure.
   const std::optional<FluidCompliance>& compliance() const { return compliance_; }
+  /// (1 − B)/B of the B check; empty without one.
+  std::optional<double> give() const { return fluid_.give(); }
   /// ∫c du where that shear began.
   double strain_at_start() const { return at_start_; }
 

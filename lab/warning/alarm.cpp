@@ -13,6 +13,7 @@ Alarm::Alarm(const RecordHeader& header, AlarmListeners listeners, const Earlier
     : header_(header),
       listeners_(std::move(listeners)),
       limit_(header.specimen),
+      volume_(header.specimen),
       levels_(header.has_time, earlier),
       cyclic_(header.has_time) {}
 
@@ -44,15 +45,16 @@ void Alarm::start_stage(const State& state) {
   else if (!is_cyclic_watched(stage))
     cyclic_.interrupt();
   stage_ = state.stage;
-  levels_.start_stage(stage, fluid_);
+  levels_.start_stage(stage, volume_);
 }
 
-void Alarm::watch(const State& state) {
-  if (!complete(state)) return;
+void Alarm::watch(const State& measured) {
+  if (!complete(measured)) return;
+  const StageInfo* stage = header_.stage(measured.stage);
+  const State state = volume_.with_fluid(measured, stage);
   if (stage_ != state.stage) start_stage(state);
   latest_ = state;
-  const StageInfo* stage = header_.stage(state.stage);
-  if (!is_watched(stage)) return fluid_.add(state, stage);
+  if (!is_watched(stage)) return;
   const WarningLevel before = level();
   if (is_cyclic_watched(stage)) cyclic_.add(state);
   const bool is_new = levels_.add(state);
@@ -73,7 +75,7 @@ void Alarm::watch(const State& state) {
 void Alarm::watch_cycles(const State& state, WarningLevel before) {
   if (levels_.level() != WarningLevel::none) {
     levels_.forget();
-    levels_.start_stage(header_.stage(state.stage), fluid_);
+    levels_.start_stage(header_.stage(state.stage), volume_);
     if (!cyclic_.is_imminent()) return take_back(state, "the load is cyclic");
   }
   if (level() != before) say(state);

@@ -35,7 +35,7 @@ class Alarm {
   Alarm(const Alarm&) = delete;
   Alarm& operator=(const Alarm&) = delete;
 
-  void watch(const State& state);
+  void watch(const State& measured);
   /// A sensor cannot be believed: what was forecast is forgotten, a level taken back.
   void interrupt(const std::string& reason);
   /// The specimen was lost, as the monitor found.
@@ -59,7 +59,7 @@ class Alarm {
   const RecordHeader header_;
   const AlarmListeners listeners_;
   LimitSurface limit_;
-  PoreFluid fluid_;
+  SpecimenVolume volume_;
   WarningLevels levels_;
   CyclicWarning cyclic_;
   bool is_lost_ = false;  ///< since the start of shear

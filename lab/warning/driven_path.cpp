@@ -45,14 +45,14 @@ bool DrivenPath::is_alike(const StageInfo* stage) const {
   return is_watched(stage) && control_of(stage) == control_ && ratio_of(stage) == ratio_;
 }
 
-void DrivenPath::start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid) {
+void DrivenPath::start_stage(const StageInfo* stage, bool has_time, const SpecimenVolume& volume) {
   DrivenPath next;
   if (is_alike(stage)) {  // a loop may be a stage of its own
     next.in_extension_ = in_extension_;
     next.highest_ = highest_;
   }
   *this = std::move(next);
-  fluid_ = fluid;
+  volume_ = volume;
   control_ = control_of(stage);
   has_time_ = has_time;
   ratio_ = ratio_of(stage);
@@ -71,9 +71,7 @@ PathMean DrivenPath::sample(const State& s) const {
   if (control_ == Control::strain_path)
     m.y = sign * (s.p_eff + 2 * s.q / 3 - (s.p_eff - s.q / 3) / ratio_);
   else
-    m.y = control_ == Control::held_q_shut ? -s.pore_pressure
-          : std::isfinite(s.pore_pressure) ? -s.volumetric_strain - fluid_.strain(s.pore_pressure)
-                                           : -s.volumetric_strain;
+    m.y = control_ == Control::held_q_shut ? -s.pore_pressure : -s.volumetric_strain;
   return m;
 }
 
@@ -119,7 +117,8 @@ void DrivenPath::add(const State& state) {
   below_ = 0;
   before_ = now;
   ++readings_;
-  if (std::isfinite(state.pore_pressure)) compliance_ = fluid_.compliance(state.pore_pressure);
+  if (volume_.compliance() && std::isfinite(state.pore_pressure))
+    compliance_ = volume_.compliance()->at(state.pore_pressure);
   if (means_.size() == kMost) merge();
   means_.push_back(now);
 }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "lab/measured/pore_fluid.hpp"
+#include "lab/measured/specimen_volume.hpp"
 #include "lab/results/record_header.hpp"
 #include "lab/results/state.hpp"
 
@@ -17,8 +17,8 @@ namespace triax::lab {
 /// with: sustainability is lost where dy/dx falls to zero.
 ///
 ///   strain_path   x = ε₁, y = σ₁′ − σ₃′/R (q where R = 1): ε₁ + 2Rε₃ = 0 is kept, Eq. (28)
-///   held_q_open   x = −p′, y = −ε_v: q is held, the drainage open; with what the pore fluid
-///                 gives way
+///   held_q_open   x = −p′, y = −ε_v: q is held, the drainage open; ε_v of the specimen
+///                 (SpecimenVolume)
 ///   held_q_shut   x = −p′, y = −u: q is held, the valve closed, and the volume moves with u
 struct PathMean {
   double readings = 0;  ///< how many it is of
@@ -42,8 +42,9 @@ class DrivenPath {
   /// Whether that stage drives the specimen as the present one did before it went back in a loop:
   /// then it is the way back to the path.
   bool goes_on_in(const StageInfo* stage) const { return in_loop() && is_alike(stage); }
-  /// The path begins anew. Of a stage driven alike its largest η stands: below it is a loop.
-  void start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid = {});
+  /// `volume`: of the test, whose states with_fluid() are given to add(). The path begins anew. Of
+  /// a stage driven alike its largest η stands: below it is a loop.
+  void start_stage(const StageInfo* stage, bool has_time, const SpecimenVolume& volume = {});
   Control control() const { return control_; }
 
   /// The next reading in shear. One that lies well below the largest η is left out; where several
@@ -57,7 +58,7 @@ class DrivenPath {
   bool in_extension() const { return in_extension_; }
   double ratio() const { return ratio_; }            ///< R of a strain path
   double compliance() const { return compliance_; }  ///< of the pore fluid at present, 1/Pa
-  const PoreFluid& fluid() const { return fluid_; }
+  const SpecimenVolume& volume() const { return volume_; }
 
  private:
   PathMean sample(const State& state) const;
@@ -67,8 +68,8 @@ class DrivenPath {
   void merge();
 
   Control control_ = Control::none;
-  double ratio_ = 1;  ///< R
-  PoreFluid fluid_;
+  double ratio_ = 1;       ///< R
+  SpecimenVolume volume_;  ///< as it is known where shear begins
   double compliance_ = 0;
   bool has_time_ = true, in_extension_ = false;
   std::int64_t readings_ = 0;

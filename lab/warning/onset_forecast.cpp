@@ -156,12 +156,13 @@ double EtaForecast::way_to(double at) const {
   return ahead / (slope + 0.5 * share * (slope_there - slope));
 }
 
-void OnsetForecast::start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid) {
+void OnsetForecast::start_stage(const StageInfo* stage, bool has_time,
+                                const SpecimenVolume& volume) {
   if (!path_.goes_on_in(stage)) {
     DrivenPath path = std::move(path_);
     forget();
     path_ = std::move(path);
-    path_.start_stage(stage, has_time, fluid);
+    path_.start_stage(stage, has_time, volume);
   }
   if (stage) by_ = stage->control;
 }
@@ -188,7 +189,7 @@ bool OnsetForecast::add(const State& state) {
 /// What earlier tests say of the onset, as long as the path has not gone past it.
 std::optional<EarlierTests::Onset> OnsetForecast::known(double now) const {
   const auto known =
-      earlier_.onset(path_.control(), path_.in_extension(), path_.fluid().give().value_or(0));
+      earlier_.onset(path_.control(), path_.in_extension(), path_.volume().give().value_or(0));
   return known && now <= known->eta + kPast * known->error ? known : std::nullopt;
 }
 

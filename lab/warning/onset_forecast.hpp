@@ -19,7 +19,7 @@
 // fraction of the distance, and more often it is too short: beside the error of the fit the
 // distance is known up to a factor, of log-normal distribution.
 //
-// Where pore fluid and lines give way (PoreFluid) work is taken with that strain.
+// Where pore fluid and lines give way (SpecimenVolume) work is taken with that strain.
 //
 // Past the onset, where y comes down for certain, the forecast is the η of the largest y.
 #include <optional>
@@ -64,7 +64,7 @@ class OnsetForecast {
  public:
   explicit OnsetForecast(EarlierTests earlier = {}) : earlier_(std::move(earlier)) {}
   /// A stage begins, and all is forgotten unless it is the way back from a loop.
-  void start_stage(const StageInfo* stage, bool has_time, const PoreFluid& fluid = {});
+  void start_stage(const StageInfo* stage, bool has_time, const SpecimenVolume& volume = {});
   void forget();
   /// The next reading in shear; true where the forecast was made anew. Pre-condition:
   /// complete(state).

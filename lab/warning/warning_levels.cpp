@@ -42,11 +42,11 @@ double lapse(const LeftToOnset& left) { return left.time_s.value_or(left.value);
 
 }  // namespace
 
-void WarningLevels::start_stage(const StageInfo* stage, const PoreFluid& fluid) {
+void WarningLevels::start_stage(const StageInfo* stage, const SpecimenVolume& volume) {
   OnsetForecast forecast = std::move(forecast_);
   *this = WarningLevels(has_time_);
   forecast_ = std::move(forecast);
-  forecast_.start_stage(stage, has_time_, fluid);
+  forecast_.start_stage(stage, has_time_, volume);
 }
 
 bool WarningLevels::add(const State& state) {

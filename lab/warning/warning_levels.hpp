@@ -35,7 +35,7 @@ class WarningLevels {
   explicit WarningLevels(bool has_time, const EarlierTests& earlier = {})
       : has_time_(has_time), forecast_(earlier) {}
 
-  void start_stage(const StageInfo* stage, const PoreFluid& fluid = {});
+  void start_stage(const StageInfo* stage, const SpecimenVolume& volume = {});
   /// What was measured so far says nothing of the stage that starts next.
   void forget() { forecast_.forget(); }
   /// The next state in shear; true where the forecast was made anew. Pre-condition:

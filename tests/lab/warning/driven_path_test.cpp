@@ -224,37 +224,40 @@ TEST_CASE("in extension a path is what it is in compression, mirrored") {
         Approx(compression.means().back().weighted[1]).epsilon(1e-12));
 }
 
-TEST_CASE(
-    "at held q with the drainage open the volume is what flows out and what the fluid gives way") {
-  PoreFluid fluid;
+TEST_CASE("DrivenPath: the volume at constant q is that of the specimen") {
+  SpecimenVolume volume;
   const StageInfo b_check{.number = 1, .name = {}, .role = StageRole::b_check};
   const StageInfo drained{
       .number = 2, .name = {}, .role = StageRole::consolidation, .drainage = Drainage::open};
   State s;
   s.q = 0;
   s.strain = {0, 0};
+  s.volumetric_strain = 0;
   for (int i = 0; i <= 20; ++i) {
     s.stage = 1, s.p_eff = 2e4 + 2e3 * i, s.pore_pressure = 3e5 + 4e3 * i;
-    fluid.add(s, &b_check);
+    volume.with_fluid(s, &b_check);
   }
   for (int i = 0; i <= 20; ++i) {
     s.stage = 2, s.p_eff = 2e4 + 4e3 * i, s.volumetric_strain = 3e-5 * std::sqrt(s.p_eff);
-    fluid.add(s, &drained);
+    volume.with_fluid(s, &drained);
   }
-  REQUIRE(fluid.compliance(3e5) > 0);
   const RecordHeader header = shear_header(AxialControl::constant_q, Drainage::open);
   DrivenPath path;
-  path.start_stage(header.stage(1), true, fluid);
   s.q = 5e4;
   for (int i = 0; i <= 10; ++i) {
     s.stage = 1, s.p_eff = 2e5 - 1e4 * i, s.pore_pressure = 3e5 + 1e4 * i;
     s.volumetric_strain = 1e-3 - 1e-5 * i;
     s.time_s = i;
-    path.add(s);
+    const State with = volume.with_fluid(s, header.stage(1));
+    if (i == 0) path.start_stage(header.stage(1), true, volume);
+    path.add(with);
   }
   const auto& means = path.means();
   REQUIRE(means.size() == 11);
-  const double moved = 1e-4 - (fluid.strain(4e5) - fluid.strain(3e5));
-  CHECK(means.back().y - means.front().y == Approx(moved).epsilon(1e-6));
-  CHECK(path.compliance() == fluid.compliance(4e5));
+  REQUIRE(volume.compliance());
+  const FluidCompliance& c = *volume.compliance();
+  CHECK(c.at(4e5) > 0);
+  CHECK(means.back().y - means.front().y ==
+        Approx(1e-4 - (c.strain(4e5) - c.strain(3e5))).epsilon(1e-6));
+  CHECK(path.compliance() == c.at(4e5));
 }
