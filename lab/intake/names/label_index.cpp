@@ -2,6 +2,8 @@
 #include "lab/intake/names/label_index.hpp"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <iterator>
 
 #include "lab/intake/names/heading_form.hpp"
@@ -23,7 +25,8 @@ Label read_label(const TomlTable& row) {
   Label label{.name = row.required_text("name"),
               .metadata = row.text("metadata").value_or(""),
               .dimension = row.required_text("dimension"),
-              .also = row.texts("also")};
+              .also = row.texts("also"),
+              .base = row.text("base").value_or("")};
   label.unit = canonical_unit(label.dimension, row.text("unit").value_or("-"));
   if (const auto usual = row.numbers("usual"); usual.size() == 2)
     label.usual = {usual[0], usual[1]};
@@ -50,6 +53,24 @@ LabelIndex::LabelIndex() {
         for (const QString& key : name_keys(name)) by_key_[key].push_back(labels_.size());
     labels_.push_back(read_label(row));
   }
+  for (Label& label : labels_)
+    label.is_base = std::ranges::find(labels_, label.name, &Label::base) != labels_.end();
+  read_states(file);
+}
+
+void LabelIndex::read_states(const TomlTable& file) {
+  constexpr std::array kNames{"initial", "consolidated", "final"};
+  for (const TomlTable& row : file.tables("state")) {
+    const auto* const name = std::ranges::find(kNames, row.required_text("name"));
+    if (name == kNames.end()) row.fail("name", "must be one of: initial, consolidated, final");
+    const auto state = static_cast<SpecimenState>(name - kNames.begin());
+    const TomlTable phrases = row.required_table("phrases");
+    for (const std::string& language : phrases.keys())
+      for (const std::string& phrase : phrases.texts(language))
+        states_.push_back({heading_tokens(repair_heading(phrase)), state});
+  }
+  std::ranges::stable_sort(states_, std::ranges::greater(),
+                           [](const StatePhrase& phrase) { return phrase.tokens.size(); });
 }
 
 const LabelIndex& LabelIndex::get() {
@@ -74,7 +95,58 @@ std::vector<const Label*> LabelIndex::find_exact(const QString& name) const {
   return found;
 }
 
+std::optional<SpecimenState> LabelIndex::take_state(std::vector<QString>& tokens) const {
+  for (const auto& [phrase, state] : states_) {
+    const auto found = std::ranges::search(tokens, phrase);
+    if (found.empty()) continue;
+    tokens.erase(found.begin(), found.end());
+    return state;
+  }
+  for (const auto& [phrase, state] : states_)  // without spaces between words
+    for (QString& token : tokens) {
+      const qsizetype at =
+          is_east_asian(phrase.front().front()) ? token.indexOf(phrase.front()) : -1;
+      if (at < 0) continue;
+      token.remove(at, phrase.front().size());
+      if (token.isEmpty()) std::erase(tokens, token);
+      return state;
+    }
+  return std::nullopt;
+}
+
+std::optional<SpecimenState> LabelIndex::find_state(const QString& text) const {
+  std::vector<QString> tokens = heading_tokens(text);
+  const auto state = take_state(tokens);
+  return tokens.empty() ? state : std::nullopt;
+}
+
+std::vector<const Label*> LabelIndex::in_state(const std::vector<const Label*>& labels,
+                                               SpecimenState state) const {
+  std::vector<const Label*> out;
+  for (const Label* label : labels) {
+    const bool is_kept = state == SpecimenState::initial ? label->base.empty() : !label->is_base;
+    if (is_kept) out.push_back(label);
+    if (state != SpecimenState::consolidated || !label->is_base) continue;
+    const auto after = std::ranges::find(labels_, label->name, &Label::base);
+    if (std::ranges::find(labels, &*after) == labels.end()) out.push_back(&*after);
+  }
+  return out;
+}
+
 std::vector<const Label*> LabelIndex::find(const QString& name) const {
+  std::vector<QString> tokens = heading_tokens(name);
+  const auto state = take_state(tokens);
+  std::vector<const Label*> found = find_without_state(name);
+  if (!state) return found;
+  if (!found.empty()) return in_state(found, *state);
+  QString rest;
+  for (const QString& token : tokens) rest += token + u' ';
+  found = find_without_state(rest.trimmed());
+  std::erase_if(found, [](const Label* label) { return !label->is_base; });
+  return in_state(found, *state);
+}
+
+std::vector<const Label*> LabelIndex::find_without_state(const QString& name) const {
   std::vector<const Label*> found = find_exact(name);
   for (qsizetype at = 1; found.empty() && at < name.size(); ++at) {
     const bool ends_script = is_east_asian(name[at - 1]) && !is_east_asian(name[at]);

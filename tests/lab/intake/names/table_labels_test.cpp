@@ -58,6 +58,71 @@ TEST_CASE("find_labels: several pairs in one line are read") {
   CHECK(label_of(text, "back_pressure").value == Approx(200));
 }
 
+TEST_CASE("find_labels: several pairs in one text are read with any delimiter") {
+  for (const Lines& line :
+       std::vector<Lines>{{{"Specimen: S1; Diameter: 38.1 mm; Height: 76.2 mm"}},
+                          {{"Specimen: S1", "Diameter: 38.1 mm", "Height: 76.2 mm"}},
+                          {{"Diameter (mm): 38.1; Height (mm): 76.2"}},
+                          {{"Diameter, mm: 38.1 / Height, mm: 76.2"}},
+                          {{"Diameter (mm), 38.1, Height (mm), 76.2"}},
+                          {{"Diameter (mm),38.1,Height (mm),76.2"}},
+                          {{"Specimen S1  Diameter 38.1 mm  Height 76.2 mm"}},
+                          {{"Specimen S1", "Diameter 38.1 mm", "Height 76.2 mm"}},
+                          {{"Specimen: S1 - Diameter: 38.1 mm - Height: 76.2 mm"}},
+                          {{"Specimen S1 (Diameter: 38.1 mm, Height: 76.2 mm)"}},
+                          {{"Specimen: S1, Diameter 38.1 mm, Height: 76.2 mm"}}}) {
+    CHECK(label_of(line, "diameter").value == Approx(38.1));
+    CHECK(label_of(line, "height").value == Approx(76.2));
+  }
+  CHECK(label_of({{"Specimen: S1", "Height: 76 mm"}}, "name").text == "S1");
+  CHECK(label_of({{"Specimen: BH1 - 3"}}, "name").text == "BH1 - 3");
+}
+
+TEST_CASE("find_labels: values are below a line of labels, but not those of a table") {
+  const Lines pair{{"Specimen", "", "Diameter (mm)", "Height (mm)"}, {"S1", "", "38.1", "76.2"}};
+  CHECK(label_of(pair, "diameter").value == Approx(38.1));
+  CHECK(label_of(pair, "height").value == Approx(76.2));
+  CHECK(label_of(pair, "height").line == 2);
+  CHECK(label_of(pair, "name").text == "S1");
+  Lines table = pair;
+  table.push_back({"S2", "", "38.0", "76.0"});
+  CHECK(find_labels(table).empty());
+}
+
+TEST_CASE("find_labels: dimensions after consolidation are not those as built") {
+  for (const char* name :
+       {"Height after consolidation (mm)", "Consolidated specimen height, mm",
+        "Height at end of consolidation", "Height before shear", "Post-consolidation height",
+        "Specimen height after consolidation, Hc (mm)", "Höhe nach der Konsolidierung",
+        "Altura después de consolidación", "固结后高度", "圧密後高さ"}) {
+    INFO(name);
+    const auto values = find_labels({{name, "75.5"}});
+    REQUIRE(values.size() == 1);
+    CHECK(values[0].name == "consolidated_height");
+    CHECK(values[0].value == Approx(75.5));
+  }
+  CHECK(label_of({{"Area after consolidation: 11.25 cm2"}}, "consolidated_area").value ==
+        Approx(1125));
+  CHECK(label_of({{"Corrected area (mm2)", "1125"}}, "consolidated_area").value == Approx(1125));
+  CHECK(label_of({{"Diameter at start of shear = 37.8 mm"}}, "consolidated_diameter").value ==
+        Approx(37.8));
+  CHECK(find_labels({{"Final height", "70"}, {"Height after test (mm)", "70"}}).empty());
+  CHECK(label_of({{"Diameter before test (mm)", "38"}}, "diameter").value == Approx(38));
+}
+
+TEST_CASE("find_labels: a title above values states their state of the specimen") {
+  for (const Lines& lines : std::vector<Lines>{
+           {{"", "Initial", "After consolidation", "Final"}, {"Height (mm)", "76", "75", "70"}},
+           {{"Parameter", "After consolidation:", "Initial"}, {"Height (mm)", "75", "76"}},
+           {{"Initial", "", "", "After consolidation"}, {"Height", "76", "", "Height", "75"}},
+           {{"Initial"}, {"Height", "76"}, {"After consolidation"}, {"Height", "75"}}}) {
+    CHECK(label_of(lines, "height").value == Approx(76));
+    CHECK(label_of(lines, "consolidated_height").value == Approx(75));
+  }
+  const Lines apart{{"After consolidation"}, {"Height: 75 mm"}, {}, {"Height: 76 mm"}};
+  CHECK(label_of(apart, "height").value == Approx(76));
+}
+
 TEST_CASE("find_labels: texts keep their words") {
   const LabelValue programme = label_of({{"Type of test", "CIUC"}}, "programme");
   CHECK(programme.text == "CIUC");
