@@ -12,10 +12,10 @@
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
 #include "lab/intake/gauge_columns.hpp"
+#include "lab/intake/labels_above.hpp"
 #include "lab/intake/questions.hpp"
 #include "lab/intake/row_course.hpp"
 #include "lab/intake/stage_time.hpp"
-#include "lab/intake/text/row_model.hpp"
 
 namespace triax::lab {
 namespace {
@@ -130,7 +130,7 @@ Proposal propose_block(const TableSample& sample, const TableStructure& structur
   out.software = find_software(structure.headings, head);
   decide_meaning(out);
   for (const LabelValue& label : out.labels)
-    if (label.name == "test_type" && !out.type) out.type = find_test_type(label.text);
+    if (label.name == "programme" && !out.type) out.type = find_test_type(label.text);
   const RowCourse course = find_course(out.table, out.meaning);
   out.is_reversed = course.is_reversed;
   out.test_begins = course.test_begins;
@@ -152,27 +152,8 @@ Proposal propose_block(const TableSample& sample, const TableStructure& structur
 
 const LabelValue* Proposal::label(std::string_view name) const {
   for (const LabelValue& one : labels)
-    if (one.name == name || one.metadata == name) return &one;
+    if ((one.name == name || one.metadata == name) && !one.is_ambiguous) return &one;
   return nullptr;
-}
-
-std::vector<LabelValue> labels_above(const std::vector<std::string>& lines, Separator separator) {
-  std::vector<std::vector<std::string>> cells;
-  const Separator between = separator == Separator::blanks ? Separator::wide_blanks : separator;
-  for (const std::string& line : lines) {
-    cells.emplace_back();
-    for (const std::string_view cell : cells_of(line, between)) cells.back().emplace_back(cell);
-  }
-  return find_labels(cells);
-}
-
-std::vector<LabelValue> labels_above(const TableStructure& structure, std::size_t block) {
-  std::vector<LabelValue> labels = labels_above(structure.preamble, structure.separator);
-  if (block == 0 || structure.heading_lines.empty()) return labels;
-  std::ranges::move(
-      find_labels({{structure.blocks[block - 1].title}}, structure.heading_lines.front()),
-      std::back_inserter(labels));
-  return labels;
 }
 
 std::vector<Proposal> propose(ByteSource& source) {

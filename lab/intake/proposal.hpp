@@ -50,15 +50,11 @@ struct Proposal {
   std::vector<std::size_t> test_begins;
   std::size_t test_column = 0;  ///< position of the column that names the tests; 0: none
 
-  /// The first label with that metadata key ("specimen.height_mm") or name ("height").
+  /// The first label that is not ambiguous, with that metadata key ("specimen.height_mm") or name
+  /// ("height").
   const LabelValue* label(std::string_view name) const;
   bool has(std::string_view quantity) const { return meaning.of(quantity) != nullptr; }
 };
-
-/// Values of the lines above a table.
-std::vector<LabelValue> labels_above(const std::vector<std::string>& lines, Separator separator);
-/// Values of the lines above a table, then of the title of its block (from 1; 0: none).
-std::vector<LabelValue> labels_above(const TableStructure& structure, std::size_t block);
 
 /// Several for tables side by side, in their order. Throws BadInput with the reason for a file that
 /// holds no table of numbers.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "lab/base/bad_input.hpp"
 #include "lab/base/text.hpp"
 #include "lab/intake/gauge_columns.hpp"
+#include "lab/intake/labels_above.hpp"
 #include "lab/intake/names/record_units.hpp"
 #include "lab/records/column_plan.hpp"
 
@@ -304,6 +306,31 @@ void drop_keys(TableLayout& layout) {
   });
 }
 
+std::string without_digits(std::string_view line) {
+  std::string out = folded(line);
+  std::erase_if(out, [](char c) { return c >= '0' && c <= '9'; });
+  return out;
+}
+
+/// The first line above the table that is about its first test only: one with a label that a later
+/// test has too, or a title that a later test has with another number ("Test 1").
+std::int64_t first_own_line(const TableLayout& layout, const std::vector<LabelValue>& of_later,
+                            const std::vector<std::string>& lines_of_later) {
+  auto first = static_cast<std::int64_t>(layout.head.size()) + 1;
+  for (const LabelValue& label : layout.labels)
+    if (std::ranges::find(of_later, label.name, &LabelValue::name) != of_later.end())
+      first = std::min(first, label.line);
+  for (std::size_t i = 0; i < layout.head.size(); ++i) {
+    const std::string& line = layout.head[i];
+    const bool is_title_again = std::ranges::any_of(lines_of_later, [&](const std::string& later) {
+      return later != line && !without_digits(line).empty() &&
+             without_digits(later) == without_digits(line);
+    });
+    if (is_title_again) first = std::min(first, static_cast<std::int64_t>(i) + 1);
+  }
+  return std::max<std::int64_t>(first, 1);
+}
+
 }  // namespace
 
 void take_labels(TableLayout& layout) {
@@ -315,8 +342,14 @@ void take_labels_between(TableLayout& layout, std::vector<std::string> lines, st
   std::vector<LabelValue> labels = labels_above(lines, layout.heading_separator);
   if (labels.empty()) return;
   for (LabelValue& label : labels) label.line += line - 1;
-  layout.labels = std::move(labels);
-  layout.head = std::move(lines);
+  const std::int64_t own_line = first_own_line(layout, labels, lines);
+  std::erase_if(layout.labels, [&](const LabelValue& common) {
+    return common.line >= own_line ||
+           std::ranges::find(labels, common.name, &LabelValue::name) != labels.end();
+  });
+  std::ranges::move(labels, std::back_inserter(layout.labels));
+  layout.head.resize(std::min(layout.head.size(), static_cast<std::size_t>(own_line - 1)));
+  std::ranges::move(lines, std::back_inserter(layout.head));
   drop_keys(layout);
 }
 

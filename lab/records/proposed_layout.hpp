@@ -23,8 +23,8 @@ TableLayout layout_of(const Dialect& dialect, const TableStructure& structure, s
 /// Finds the labels above the table that its dialect does not have.
 void take_labels(TableLayout& layout);
 /// Lines between the rows of a test and those of the test above it, the first one with number
-/// `line`: if they hold labels, these replace all labels of the lines above the table, which are
-/// those of the first test.
+/// `line`: if they hold labels, these replace the labels above the table that are about its first
+/// test. Those above the first line that the later test repeats are common to all tests.
 void take_labels_between(TableLayout& layout, std::vector<std::string> lines, std::int64_t line);
 
 }  // namespace triax::lab

@@ -92,10 +92,33 @@ bool is_of_use(const LabelValue& label, const RecordHeader& header, const TableL
   });
 }
 
+/// A dimension that a result would depend on is not dropped without a word.
+void note_unused_label(const LabelValue& label, Findings& findings) {
+  if (!label.value) return;
+  const std::string text = fmt::format("{} = {:.6g}", label.name, *label.value);
+  if (!label.metadata.empty())
+    findings.note("label " + label.name, label.line,
+                  fmt::format("{} is not used: the lines above the table also have another value "
+                              "or meaning; give --set {}=...",
+                              text, label.metadata));
+  else if (label.name.starts_with("consolidated_"))
+    findings.note("label " + label.name, label.line,
+                  fmt::format("{} {} is not used: the area at the start of shear is that as built, "
+                              "changed by the measured volume and height",
+                              text,
+                              label.name.ends_with("diameter") ? "mm"
+                              : label.name.ends_with("area")   ? "mm2"
+                                                               : "mm3"));
+}
+
 /// Labels above a table without a dialect.
 void set_labels(RecordHeader& header, const TableLayout& layout, Findings& findings) {
   for (const LabelValue& label : layout.labels) {
-    if (label.metadata.empty() || label.is_ambiguous || !is_of_use(label, header, layout)) continue;
+    if (label.is_ambiguous || label.metadata.empty()) {
+      note_unused_label(label, findings);
+      continue;
+    }
+    if (!is_of_use(label, header, layout)) continue;
     const auto where = fmt::format("{}:{}", layout.file, label.line);
     const auto value = label.value ? fmt::format("{:.12g}", *label.value) : label.text;
     try {

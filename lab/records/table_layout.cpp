@@ -43,7 +43,7 @@ std::vector<RowConstant> TableLayout::constants() const {
   if (has_any({pore_pressure, back_pressure, effective_axial_stress, effective_radial_stress,
                mean_effective_stress}))
     return out;
-  const auto type = std::ranges::find(labels, "test_type", &LabelValue::name);
+  const auto type = std::ranges::find(labels, "programme", &LabelValue::name);
   const TestType* const known = type == labels.end() ? nullptr : find_test_type(type->text);
   if (!has(excess_pore_pressure) && !(known && known->drained)) return out;
   const Quantity second = has(excess_pore_pressure) ? back_pressure : pore_pressure;

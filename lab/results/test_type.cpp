@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -47,6 +48,8 @@ std::vector<TestType> read_types() {
       all.push_back(read_type(table));
   return all;
 }
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 bool is_letter_or_digit(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
@@ -125,6 +128,78 @@ const TestType* type_with_the_longest_name(const std::string& text) {
   return found;
 }
 
+/// Words for a test, folded.
+const std::vector<std::string>& title_words() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> words;
+    for (const EmbeddedFile& file : kStageWords)
+      for (const std::string& word :
+           TomlTable::parse(file.text, std::string(file.name) + ".toml").texts("title_words"))
+        words.push_back(folded(word));
+    return words;
+  }();
+  return all;
+}
+
+bool is_title_word(std::string_view word) {
+  const std::string plain = folded(word);
+  return std::ranges::any_of(title_words(),
+                             [&](const std::string& known) { return plain.starts_with(known); });
+}
+
+bool is_in_capitals(std::string_view word) {
+  return std::ranges::count_if(word, [](char c) { return c >= 'A' && c <= 'Z'; }) > 1;
+}
+
+struct TitleCodes {
+  /// In front of a word for a test, or behind one and at the end or in front of a number.
+  std::vector<const TestType*> beside_words;
+  std::vector<const TestType*> all;
+};
+
+/// Types by codes in capitals.
+TitleCodes find_title_codes(std::string_view title) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < title.size();) {
+    const std::size_t end = std::min(title.find_first_of(" ,;()/\t", at), title.size());
+    if (end > at) words.emplace_back(title.substr(at, end - at));
+    at = end + 1;
+  }
+  TitleCodes found;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const TestType* const type = is_in_capitals(words[i]) ? type_of_word(words[i]) : nullptr;
+    if (!type) continue;
+    found.all.push_back(type);
+    const bool is_last = i + 1 == words.size();
+    const bool is_before = !is_last && is_title_word(words[i + 1]);
+    const bool is_behind = i > 0 && is_title_word(words[i - 1]);
+    if (is_before || (is_behind && (is_last || is_digit(words[i + 1].front()))))
+      found.beside_words.push_back(type);
+  }
+  return found;
+}
+
+/// Types by names in words that are in no longer name of another one.
+std::vector<const TestType*> types_by_longest_names(const std::string& text) {
+  std::vector<std::pair<std::size_t, std::size_t>> places;  // first and last character
+  std::vector<const TestType*> types;
+  for (const TestType& type : test_types())
+    for (const std::string& name : type.names)
+      if (const auto at = text.find(name); at != std::string::npos) {
+        places.emplace_back(at, at + name.size());
+        types.push_back(&type);
+      }
+  std::vector<const TestType*> found;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto [first, last] = places[i];
+    const bool is_inside = std::ranges::any_of(places, [&](const auto& other) {
+      return other.first <= first && last <= other.second && other != places[i];
+    });
+    if (!is_inside) found.push_back(types[i]);
+  }
+  return found;
+}
+
 }  // namespace
 
 const std::vector<TestType>& test_types() {
@@ -137,6 +212,29 @@ const TestType* find_test_type(std::string_view text) {
   if (const TestType* type = type_of_code(code_of(plain))) return type;
   if (const TestType* type = type_with_the_longest_name(folded(plain))) return type;
   return first_word_with_a_type(plain);
+}
+
+const TestType* find_type_in_title(std::string_view title) {
+  const auto plain = without_subscripts(trimmed(title.substr(0, kMaxText)));
+  if (is_in_capitals(plain))
+    if (const TestType* type = type_of_code(code_of(plain))) return type;
+  auto found = types_by_longest_names(folded(plain));
+  const TitleCodes codes = find_title_codes(plain);
+  std::ranges::copy(codes.beside_words, std::back_inserter(found));
+  const auto agrees = [&](const TestType* type) {
+    return type->drained == found.front()->drained &&
+           type->is_total_stress() == found.front()->is_total_stress() &&
+           type->unconfined == found.front()->unconfined;
+  };
+  if (found.empty() || !std::ranges::all_of(found, agrees) ||
+      !std::ranges::all_of(codes.all, agrees))
+    return nullptr;
+  // The most specific one: "CIU" beside "consolidated undrained".
+  const auto detail = [](const TestType* type) {
+    return (type->consolidation != TestType::Consolidation::unknown ? 1 : 0) +
+           (type->extension ? 1 : 0) + (type->multi_stage ? 1 : 0) + (type->cyclic ? 1 : 0);
+  };
+  return *std::ranges::max_element(found, {}, detail);
 }
 
 }  // namespace triax::lab

@@ -34,4 +34,9 @@ const std::vector<TestType>& test_types();
 /// ("Consolidated undrained test"). Takes time proportional to the length of the text.
 const TestType* find_test_type(std::string_view text);
 
+/// The type that a title names; null if it names none or several that differ in drainage or
+/// consolidation. In a title, a code counts alone, or in capitals beside a word for a test ("UU
+/// test BS 1377-7", "Triaxial CU Test"); names in words and numbers of standards count anywhere.
+const TestType* find_type_in_title(std::string_view title);
+
 }  // namespace triax::lab

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/records/record_head.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "lab/records/tables/table_recognition.hpp"
@@ -79,4 +80,22 @@ TEST_CASE("describe_record: a held cell pressure from a label or from the dialec
   CHECK(*Head(rows, constant).header.cell_pressure_pa == Approx(300e3));
   CHECK_THROWS_WITH(parse_dialect(columns + "[defaults]\ncell_pressure_kPa = -1\n", "d.toml"),
                     Catch::Contains("d.toml:6") && Catch::Contains("out of range"));
+}
+
+TEST_CASE("describe_record: dimensions that are not used are reported") {
+  const std::string rows =
+      "Axial strain (%),q (kPa),u (kPa),Cell pressure (kPa)\n0,0,200,400\n1,50,230,400\n"
+      "2,70,250,400\n3,80,255,400\n";
+  const auto has = [](const Head& head, const std::string& text) {
+    return std::ranges::any_of(head.warnings, [&](const Warning& warning) {
+      return warning.text.find(text) != std::string::npos;
+    });
+  };
+  const Head consolidated("Height after consolidation: 75.5 mm\nCorrected area: 11.25 cm2\n" +
+                          rows);
+  CHECK(consolidated.header.specimen.consolidated_height_m == Approx(0.0755));
+  CHECK(has(consolidated, "consolidated_area = 1125 mm2 is not used"));
+  const Head twice("Height: 76 mm\nHeight: 80 mm\n" + rows);
+  CHECK_FALSE(twice.header.specimen.height_m);
+  CHECK(has(twice, "height = 76 is not used"));
 }

@@ -46,7 +46,7 @@ TEST_CASE("TableLayout: a back pressure is the pore pressure only of a drained t
   state(layout, "back_pressure", 300);
   CHECK(layout.constants().empty());  // an undrained test has a column of zeros, too
   LabelValue type;
-  type.name = "test_type";
+  type.name = "programme";
   type.text = "CIU";
   layout.labels.push_back(type);
   CHECK(layout.constants().empty());

@@ -95,3 +95,31 @@ TEST_CASE("RecordHeader: tests in total stresses by their type") {
   header.programme = "UU";
   CHECK_FALSE(header.is_unconfined());
 }
+
+TEST_CASE("find_type_in_title: codes, names and standards in titles of reports") {
+  const auto title = [](std::string_view text) {
+    const TestType* type = find_type_in_title(text);
+    return type == nullptr ? std::string() : type->codes.front();
+  };
+  CHECK(title("Consolidated undrained triaxial compression test, ASTM D4767") == "CU");
+  CHECK(title("CIU") == "CIU");
+  CHECK(title("UU test BS 1377-7") == "UU");
+  CHECK(title("CID triaxial test - Project X") == "CID");
+  CHECK(title("Triaxial CU Test Report") == "CU");
+  CHECK(title("Triaxial test CIU 100 kPa") == "CIU");
+  CHECK(title("Triaxialversuch: konsolidiert drainiert, CID Versuch") == "CID");
+  CHECK(title("Unconsolidated undrained triaxial test (ASTM D2850)") == "UU");
+  CHECK(title("Unconfined compression test (ASTM D 2166)") == "UC");
+  CHECK(title("三轴固结不排水试验") == "CU");
+  CHECK(title("C.I.U.") == "CIU");
+}
+
+TEST_CASE("find_type_in_title: names of people, places and several types name none") {
+  for (const char* text :
+       {"", "Triaxial test report", "UC Berkeley test laboratory", "CAD drawing 12, test pit",
+        "Report of R. Smith, Q section", "Consolidated undrained and consolidated drained tests",
+        "CIU and CID tests", "cu", "Data CD", "BS 1377-8:1990", "ISO 17892-9"}) {
+    INFO(text);
+    CHECK(find_type_in_title(text) == nullptr);
+  }
+}

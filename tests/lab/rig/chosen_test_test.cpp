@@ -110,3 +110,23 @@ TEST_CASE("RecordedRig: an unconfined test needs no cell pressure") {
   REQUIRE(readings.size() == 20);
   CHECK(readings[10][Quantity::cell_pressure] == 0);
 }
+
+TEST_CASE("RecordedRig: a later test has its own labels and those common to the file") {
+  const std::string text = "Specific gravity: 2.65\nTest: A\nHeight: 76 mm\nVoid ratio: 0.8\n" +
+                           kTable + undrained(20, 300) + "\nTest: B\nHeight: 80 mm\n" + kTable +
+                           undrained(15, 400);
+  const auto first = open_table(text, 1), second = open_table(text, 2);
+  CHECK(first->header().name == "A");
+  CHECK(first->header().specimen.void_ratio == 0.8);
+  CHECK(second->header().name == "B");
+  CHECK(second->header().specimen.height_m == Approx(0.080));
+  CHECK_FALSE(second->header().specimen.void_ratio);
+  for (const auto* rig : {first.get(), second.get()})
+    CHECK(rig->header().specimen.specific_gravity == 2.65);
+  const std::string titles = "Specific gravity: 2.65\nTest 1\nVoid ratio: 0.8\n" + kTable +
+                             undrained(20, 300) + "\nTest 2\nHeight: 80 mm\n" + kTable +
+                             undrained(15, 400);
+  const auto later = open_table(titles, 2);
+  CHECK_FALSE(later->header().specimen.void_ratio);
+  CHECK(later->header().specimen.specific_gravity == 2.65);
+}
