@@ -14,6 +14,8 @@
 namespace triax::lab {
 namespace {
 
+constexpr double kMillimetre = 1e-3;
+
 bool has_any(const Proposal& proposal, std::initializer_list<std::string_view> quantities) {
   return std::ranges::any_of(quantities, [&](auto name) { return proposal.has(name); });
 }
@@ -42,7 +44,8 @@ struct RingFactor {
 };
 
 std::optional<RingFactor> ring_factor(const Proposal& proposal) {
-  if (const LabelValue* label = proposal.label("ring_factor"); label && label->value) {
+  const LabelValue* label = proposal.label("ring_factor");
+  if (label && label->value && !label->unit.empty()) {  // without a unit it may be any
     const auto per_length = si_factor(label->unit, "force_per_length");
     if (per_length) return RingFactor{{}, *label->value * *per_length};
     return RingFactor{label->value, {}};  // in the unit of the label
@@ -68,6 +71,19 @@ std::optional<double> force_scale(const Proposal& proposal, const ColumnReading&
   if (!length) return factor->per_division;
   if (!factor->per_length) return std::nullopt;
   return *factor->per_length * *length;
+}
+
+/// m per reading of a dial: by its unit, or by the label of the factor for a dial in divisions.
+std::optional<double> displacement_scale(const Proposal& proposal, const ColumnReading& reading) {
+  if (const auto length = si_factor(reading.unit, "length")) return length;
+  const auto units = find_unit_names(reading.unit);
+  const bool has_divisions =
+      units.empty() || std::ranges::find(units, "division", &UnitName::dimension) != units.end();
+  const LabelValue* const label = proposal.label("dial_factor");
+  if (!has_divisions || !label || !label->value || !label->is_usual) return std::nullopt;
+  if (si_factor(label->unit, "length_per_division")) return *label->value * kMillimetre;
+  const auto division = si_factor(label->unit, "length");
+  return division ? std::optional(*label->value * *division) : std::nullopt;
 }
 
 /// Displacement per division in the unit of its column, by the first and last row; nothing if a row
@@ -133,7 +149,7 @@ std::vector<GaugeColumn> find_gauge_columns(const Proposal& proposal) {
     if (gauge.is_force && needs_force)
       gauge.scale = force_scale(proposal, reading);
     else if (reading.quantity->name == "dial_reading" && needs_displacement)
-      gauge.scale = si_factor(reading.unit, "length");
+      gauge.scale = displacement_scale(proposal, reading);
     else
       continue;
     if (gauge.scale) *gauge.scale *= reading.sign;

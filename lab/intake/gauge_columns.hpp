@@ -17,7 +17,8 @@ struct GaugeColumn {
 };
 
 /// The columns that are the only force or displacement of the file. The factor of a ring is a label
-/// or a column that does not change; a dial has a unit of length.
+/// with a unit or a column that does not change. A dial has a unit of length, or divisions whose
+/// length a label states.
 std::vector<GaugeColumn> find_gauge_columns(const Proposal& proposal);
 
 /// Gives a dial in divisions its factor (mm per division) if the file has the displacement that

@@ -46,6 +46,32 @@ TEST_CASE("find_gauge_columns: the factor may be a column that does not change")
   CHECK(find_gauge_columns(proposal_of("x,y", headings, ",2.5"))[1].scale.value() == Approx(2.5));
 }
 
+TEST_CASE("find_gauge_columns: labels state the factors of ring and dial in any form") {
+  const std::string headings = "Time (min),Dial gauge (div),Load ring (div)";
+  for (const char* const label :
+       {"Load ring constant 1.25 N/div\nDial gauge 0.01 mm/div", "LRC,1.25,N/div\nDGC,0.01,mm/div",
+        "LRC = 1.25 N/div; Dial gauge factor = 0.01 mm/div",
+        "Load ring constant (N/div): 1.25\nDial gauge (mm/div): 0.01",
+        "Strain dial 0.01 mm per division\nProving ring 1.25 N per division",
+        "Ring factor: 0.00125 kN/div\nLeast count of dial gauge: 0.01 mm"}) {
+    INFO(label);
+    const auto gauges = find_gauge_columns(proposal_of(label, headings));
+    REQUIRE(gauges.size() == 2);
+    CHECK(gauges[0].scale.value_or(0) == Approx(1e-5));
+    CHECK(gauges[1].scale.value_or(0) == Approx(1.25));
+  }
+}
+
+TEST_CASE("find_gauge_columns: a factor without a unit or an unusual one is none") {
+  const std::string headings = "Time (min),Dial gauge (div),Load ring (div)";
+  for (const char* const label : {"LRC: 1.25\nDial gauge: 0.01", "Dial gauge: 25 mm"}) {
+    const auto gauges = find_gauge_columns(proposal_of(label, headings));
+    REQUIRE(gauges.size() == 2);
+    CHECK_FALSE(gauges[0].scale);
+    CHECK_FALSE(gauges[1].scale);
+  }
+}
+
 TEST_CASE("find_gauge_columns: a missing factor is a question") {
   const Proposal proposal = proposal_of("x,y", kGauges);
   CHECK_FALSE(find_gauge_columns(proposal)[1].scale);
