@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lab/measured/path_sampler.hpp"
+#include "lab/results/test_type.hpp"
 
 namespace triax::lab {
 namespace {
@@ -48,6 +49,13 @@ double volume_of(const RecordHeader& header) {
   return std::numbers::pi / 4 * diameter * diameter * header.specimen.height_m.value_or(0);
 }
 
+bool begins_unloaded(const RecordHeader& header) {
+  using enum TestType::Consolidation;
+  const TestType* const type = find_test_type(header.programme);
+  return header.is_raw() &&
+         !(type && (type->consolidation == anisotropic || type->consolidation == k0));
+}
+
 }  // namespace
 
 JudgedStates::JudgedStates(const RecordHeader& header)
@@ -55,7 +63,7 @@ JudgedStates::JudgedStates(const RecordHeader& header)
       health_(header),
       volume_(header),
       drainage_(volume_of(header)),
-      plausibility_(header.specimen) {}
+      plausibility_(header.specimen, begins_unloaded(header)) {}
 
 Reading believed(const JudgedStates::Judged& judged) {
   Reading reading = judged.reading;
@@ -194,6 +202,8 @@ void JudgedStates::check_state(Judged& entry) {
 void JudgedStates::judge(Judged& entry) {
   const StageInfo* stage = header_.stage(entry.reading.stage);
   if (stage && stage->role == StageRole::b_check) wrong_in_b_check_ |= entry.wrong;
+  if (stage && stage->role == StageRole::consolidation)
+    plausibility_.add_consolidation(believed_state(entry).q);
   const bool undrained = watch_drainage(entry, stage);
   if (!is_watched(stage)) return;
   const bool first = !std::exchange(sheared_, true);

@@ -106,6 +106,10 @@ void Plausibility::watch_fall(const State& s) {
                            s.strain.axial * 100)};
 }
 
+void Plausibility::add_consolidation(double q) {
+  if (!q_before_ && std::isfinite(q)) q_before_ = q;
+}
+
 bool Plausibility::add(const State& s) {
   if (!is_possible(s)) {
     if (impossible_count_++ == 0) impossible_ = impossible(s);
@@ -164,6 +168,22 @@ std::string Plausibility::steep_words() const {
       kGiveCohesion);
 }
 
+/// Explains a q at the start of shear that was not applied; empty if there is none.
+std::string Plausibility::start_load_words() const {
+  constexpr double kMinError_pa = 5e3, kFraction = 0.02;
+  const double q = first_->q, error = std::max(kMinError_pa, kFraction * first_->p_eff);
+  if (q < -error)
+    return fmt::format(
+        "q is {:.1f} kPa at the start of shear: extension, or the load cell was not set to zero",
+        q / 1e3);
+  const bool was_applied = q_before_ && std::fabs(q - *q_before_) > error;
+  if (q <= error || !begins_unloaded_ || was_applied) return {};
+  return fmt::format(
+      "q is {:.1f} kPa at the start of shear and is used as it is: anisotropic consolidation, a "
+      "first reading after the start, or the load cell was not set to zero (piston, seating load)",
+      q / 1e3);
+}
+
 std::vector<Warning> Plausibility::warnings() const {
   std::vector<Warning> all;
   if (impossible_count_ == 1) all.push_back({0, "impossible state, not used: " + impossible_});
@@ -171,12 +191,7 @@ std::vector<Warning> Plausibility::warnings() const {
     all.push_back({0, fmt::format("{} impossible states, not used, the last at reading {}: {}",
                                   impossible_count_, last_impossible_, impossible_)});
   if (!first_) return all;
-  const double p0 = first_->p_eff;
-  if (first_->q < -std::max(5e3, 0.02 * p0))
-    all.push_back(
-        {0, fmt::format("q is {:.1f} kPa at the start of shear: extension, or the load cell "
-                        "was not set to zero",
-                        first_->q / 1e3)});
+  if (auto words = start_load_words(); !words.empty()) all.push_back({0, std::move(words)});
   if (tension_)
     all.push_back(
         {0, fmt::format("the smaller effective stress is below zero at reading {} ({:.1f} "

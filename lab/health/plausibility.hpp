@@ -30,9 +30,10 @@ namespace triax::lab {
 ///   slipped      from the largest axial strain on |q| only fell, to half of it, at no smaller a
 ///                stress ratio: a specimen that is unloaded keeps p' and loses q/p'; this one
 ///                collapsed, and its strain was measured elsewhere
-///   to be told   q below −5 kPa and −2 % of p'₀ where compression begins (a load cell that was not
-///                set to zero), σ₃' below zero, a mobilised friction angle above that of any soil
-///                without cohesion (assessment_limits::kSteepest)
+///   reported     q below −5 kPa and −2 % of p'₀ where compression begins, or as much above zero if
+///                it was not applied during consolidation (a load cell that was not set to zero),
+///                σ₃' below zero, a mobilised friction angle above that of any soil without
+///                cohesion (assessment_limits::kSteepest)
 class Plausibility {
  public:
   /// q/p' of 65 degrees in compression and in extension.
@@ -41,8 +42,10 @@ class Plausibility {
   static constexpr double kWorth = 0.1;
   static constexpr double kMinStress = 500, kMaxStress = 60e6, kMaxStressOfRock = 1e9;  ///< Pa
 
-  explicit Plausibility(SpecimenInfo specimen)
-      : specimen_(std::move(specimen)), limit_(specimen_) {}
+  /// `begins_unloaded`: q is that of a measured force, and no type of test states an anisotropic
+  /// consolidation.
+  explicit Plausibility(SpecimenInfo specimen, bool begins_unloaded = false)
+      : specimen_(std::move(specimen)), limit_(specimen_), begins_unloaded_(begins_unloaded) {}
 
   /// Pa: what zeros of load cell and pressure transducers may be off by, together: 2 % of p'₀ and
   /// at least 5 kPa, but no more than 10 % of p'₀.
@@ -56,6 +59,8 @@ class Plausibility {
   /// Why no specimen of these dimensions can be tested; empty if it can.
   std::string impossible_specimen() const;
 
+  /// q of a state of consolidation.
+  void add_consolidation(double q);
   /// The next state of shear; false if it is impossible. Such a state counts for nothing else.
   bool add(const State& state);
   /// How many impossible states were added.
@@ -77,9 +82,12 @@ class Plausibility {
   /// p' and its error.
   double reach(const State& state) const;
   std::string steep_words() const;
+  std::string start_load_words() const;
 
   SpecimenInfo specimen_;
   LimitSurface limit_;  ///< of that cohesion
+  bool begins_unloaded_;
+  std::optional<double> q_before_;  ///< at the start of consolidation
   std::optional<State> first_;
   double largest_q_ = 0, largest_strain_ = 0;
   double least_q_ = 0, most_q_ = 0;                ///< with their signs

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLastShare = 0.1;    // of the stage
 constexpr double kLeastTime_s = 60;   // over which a rate is taken
-constexpr std::int64_t kFading = 16;  // readings
+constexpr std::int64_t kFading = 16;  // readings, at most
 constexpr double kHour_s = 3600;
 
 }  // namespace
@@ -28,7 +28,11 @@ void ConsolidationEnd::add(const Reading& reading, const State& state, bool cons
   }
   const double difference = reading[Quantity::pore_pressure] - reading[Quantity::back_pressure];
   if (!std::isfinite(difference) || !std::isfinite(state.p_eff)) return;
-  const double weight = 1.0 / static_cast<double>(std::min(++differences_, kFading));
+  // Of a stage with few readings, the earlier ones are from before the pressure dissipated.
+  const auto last_readings =
+      static_cast<std::int64_t>(kLastShare * static_cast<double>(++differences_));
+  const double weight =
+      1.0 / static_cast<double>(std::clamp<std::int64_t>(last_readings, 1, kFading));
   difference_ += weight * (difference - difference_);
   p_eff_ += weight * (state.p_eff - p_eff_);
 }

@@ -13,8 +13,8 @@ namespace triax::lab {
 
 /// How the last consolidation stage ended.
 ///   consolidation    |dV_b/dt|/V over the last tenth of the stage (60 s or more), in % per hour
-///   zero_difference  |u − u_b|/p′ over the last readings: 0 once the water is at rest, unless one
-///                    of the two sensors is off zero
+///   zero_difference  |u − u_b|/p′ over the last readings, at most a tenth of the stage: 0 once the
+///                    water is at rest, unless one of the two sensors is off zero
 class ConsolidationEnd {
  public:
   static constexpr double kRateLimit_pct_per_h = 0.1;

@@ -20,7 +20,7 @@ void CrossChecks::add(const Reading& reading, const State& state) {
                      volume_m3_);
   // Along a strain path the controller pumps: u_b is what it takes to move the water.
   const bool drains = shear && open && !stage->strain_path_R;
-  rate_.add(reading, state, drains, consolidation_.difference().value_or(0));
+  rate_.add(reading, state, drains, consolidation_.difference());
   valve_.add(reading, shear && stage->drainage == Drainage::closed, volume_m3_);
 }
 

@@ -14,14 +14,15 @@ constexpr double kGrowth = 1.08;  // of one kept maximum over the one before
 }  // namespace
 
 void RateCheck::add(const Reading& reading, const State& state, bool drained_shear,
-                    double rest_difference) {
+                    std::optional<double> rest_difference) {
   if (!drained_shear) {
     count_ = 0;
     return;
   }
-  const double difference =
-      reading[Quantity::pore_pressure] - reading[Quantity::back_pressure] - rest_difference;
-  if (!std::isfinite(difference) || !std::isfinite(state.p_eff)) return;
+  const double whole = reading[Quantity::pore_pressure] - reading[Quantity::back_pressure];
+  if (!std::isfinite(whole) || !std::isfinite(state.p_eff)) return;
+  if (!at_start_) at_start_ = whole;
+  const double difference = whole - rest_difference.value_or(*at_start_);
   if (count_ == 0) difference_sum_ = p_sum_ = 0;
   difference_sum_ += difference;
   p_sum_ += state.p_eff;

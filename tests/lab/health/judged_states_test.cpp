@@ -24,9 +24,16 @@ struct Run {
   bool ends_at_mark = false, trusts_axis = false;
 };
 
+/// q is 100 kPa from the first reading on.
+RecordHeader loaded_header() {
+  RecordHeader header = raw_header();
+  header.programme = "CAU";
+  return header;
+}
+
 template <class Break>
 Run run(std::int64_t n, Break broken, double q_after = 100e3,
-        const RecordHeader& header = raw_header()) {
+        const RecordHeader& header = loaded_header()) {
   JudgedStates states(header);
   Run out;
   const auto take = [&] {
@@ -196,7 +203,7 @@ namespace {
 /// and q by 1 kPa in each; `broken` as above. What the load cell is off by goes into q.
 template <class Break>
 Run undrained(std::int64_t n, Break broken) {
-  RecordHeader header = raw_header();
+  RecordHeader header = loaded_header();
   header.stages.push_back(
       {.number = 4, .name = "u", .role = StageRole::shear, .drainage = Drainage::closed});
   JudgedStates states(header);

@@ -96,6 +96,22 @@ TEST_CASE("a load cell that begins below zero and steep angles are told") {
   CHECK_THAT(warnings[1].text, Contains("friction angle"));
 }
 
+TEST_CASE("Plausibility: a q at the start that nothing applied is reported", "[health]") {
+  const auto warnings = [](bool begins_unloaded, std::initializer_list<double> consolidation_kPa) {
+    Plausibility p({}, begins_unloaded);
+    for (const double q : consolidation_kPa) p.add_consolidation(q * 1e3);
+    p.add(at(0, 44, 200, 0));
+    p.add(at(1, 90, 220, 0.01));
+    return p.warnings();
+  };
+  for (const auto& found : {warnings(true, {}), warnings(true, {43, 43.5, 44})}) {
+    REQUIRE(found.size() == 1);
+    CHECK_THAT(found[0].text, Contains("q is 44.0 kPa at the start of shear and is used as it is"));
+  }
+  CHECK(warnings(true, {0, 20, 44}).empty());  // applied
+  CHECK(warnings(false, {}).empty());
+}
+
 TEST_CASE("Plausibility: a steep stress ratio is explained by cohesion", "[health]") {
   const auto warnings_of = [](double q_kPa, double cohesion_kPa) {
     SpecimenInfo specimen;

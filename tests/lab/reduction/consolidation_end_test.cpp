@@ -55,6 +55,13 @@ TEST_CASE("consolidation that has died out passes; cut short it does not") {
   for (const Check& check : consolidated(900, volume, excess).checks()) CHECK_FALSE(check.ok);
 }
 
+TEST_CASE("ConsolidationEnd: few readings count only at the end of the stage") {
+  // Readings at ever longer times, as by hand: 60 of them, e-fold every 4.
+  const auto end = consolidated(
+      60, [](double) { return -100.0; }, [](double t) { return 100 * std::exp(-t / 4); });
+  CHECK(of_kind(end.checks(), CheckKind::zero_difference).ok);
+}
+
 TEST_CASE("at rest the difference of the two transducers is that of their zeros") {
   const auto end = consolidated(
       600, [](double) { return -100.0; }, [](double) { return -4.0; });

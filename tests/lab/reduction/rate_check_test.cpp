@@ -10,13 +10,14 @@ using namespace triax::lab;
 namespace {
 
 /// u stands `lag_kPa` above the back pressure of 300 kPa, p' is 100 kPa.
-void add(RateCheck& rate, std::int64_t i, double lag_kPa, bool shear = true, double rest_kPa = 0) {
+void add(RateCheck& rate, std::int64_t i, double lag_kPa, bool shear = true,
+         std::optional<double> rest_kPa = 0) {
   Reading r = triax::lab::testing::reading({3, 0, 0, 400, 300 + lag_kPa, 0}, i);
   r[Quantity::back_pressure] = 300e3;
   State s;
   s.reading = i;
   s.p_eff = 100e3;
-  rate.add(r, s, shear, rest_kPa * 1e3);
+  rate.add(r, s, shear, rest_kPa ? std::optional(*rest_kPa * 1e3) : std::nullopt);
 }
 
 }  // namespace
@@ -39,6 +40,15 @@ TEST_CASE("a lag that is too large fails with reading, size and sign") {
   CHECK(*check->measured == Approx(0.08));
   CHECK(check->note.find("at reading 175 the pore pressure was 8.00 kPa below") !=
         std::string::npos);
+}
+
+TEST_CASE("RateCheck: without consolidation the first reading is at rest") {
+  RateCheck zero;
+  for (int i = 0; i < 160; ++i) add(zero, i, 12, true, {});  // of the two transducers
+  CHECK(zero.check({})->ok);
+  RateCheck lag;
+  for (int i = 0; i < 160; ++i) add(lag, i, i < 16 ? 0 : 12, true, {});
+  CHECK_FALSE(lag.check({})->ok);
 }
 
 TEST_CASE("only what came before the onset of collapse counts") {
