@@ -7,77 +7,12 @@
 #include <utility>
 
 #include "lab/intake/names/heading_form.hpp"
-#include "lab/intake/names/heading_unit.hpp"
 #include "lab/intake/names/label_index.hpp"
+#include "lab/intake/names/label_text.hpp"
 #include "lab/intake/names/lexicon_quantity.hpp"
 
 namespace triax::lab {
 namespace {
-
-struct NamedLabels {
-  std::vector<const Label*> labels;
-  QString unit;
-
-  bool has_number() const { return std::ranges::any_of(labels, &Label::is_number); }
-  bool has_text() const { return !std::ranges::all_of(labels, &Label::is_number); }
-};
-
-NamedLabels find_named_labels(const QString& text) {
-  const LabelIndex& index = LabelIndex::get();
-  const auto is_name = [&](const QString& name, const std::vector<const UnitName*>& units) {
-    return std::ranges::any_of(index.find(name),
-                               [&](const Label* label) { return label->fits(units); });
-  };
-  constexpr qsizetype kMaxLabelLength = 100;
-  if (text.isEmpty() || text.size() > kMaxLabelLength) return {};
-  const auto [name, unit] = split_unit(text, is_name);
-  return {index.find(name), unit};
-}
-
-/// A number with its unit at the beginning of a text.
-struct Amount {
-  QString number;
-  QString unit;
-  QString rest;  ///< of the text
-};
-
-std::optional<Amount> read_amount(const QString& text) {
-  static const QRegularExpression pattern(R"(^\s*([-+]?[.,]?\d[\d.,]*(?:[eE][-+]?\d+)?))");
-  const auto match = pattern.match(text);
-  if (!match.hasMatch()) return std::nullopt;
-  QString number = match.captured(1);
-  while (number.back() == u'.' || number.back() == u',') number.chop(1);
-  const QString behind = text.sliced(match.capturedStart(1) + number.size());
-  static const QRegularExpression unit_end(R"([;|]|,(?=\s|$)|(?<=\S)\s\s)");
-  const qsizetype end = behind.indexOf(unit_end);
-  const QString whole = (end < 0 ? behind : behind.first(end)).trimmed();
-  const QString word = whole.section(u' ', 0, 0);
-  for (const QString& unit : {whole, word})
-    if (!find_units(unit).empty())
-      return Amount{number, unit, behind.sliced(behind.indexOf(unit) + unit.size())};
-  return Amount{number, {}, behind};
-}
-
-/// The number with its one mark, or the last of two kinds of marks, as decimal mark.
-std::optional<double> decimal_number(QString text) {
-  const qsizetype mark = std::max(text.lastIndexOf(u'.'), text.lastIndexOf(u','));
-  if (mark >= 0) {
-    const bool is_repeated = text.count(text[mark]) > 1;
-    QString whole = text.first(mark);
-    whole.remove(u'.').remove(u',');
-    text = whole + (is_repeated ? "" : ".") + text.sliced(mark + 1);
-  }
-  bool ok = false;
-  const double value = text.toDouble(&ok);
-  return ok && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-/// The number with its mark between thousands, if it can be that: "86,193".
-std::optional<double> grouped_number(const QString& text) {
-  static const QRegularExpression grouped(R"(^[-+]?\d{1,3}[.,]\d{3}$)");
-  if (!grouped.match(text).hasMatch()) return std::nullopt;
-  return QString(text).remove(u'.').remove(u',').toDouble();
-}
 
 bool is_usual(const Label& label, double value) {
   return !label.usual || (value >= label.usual->first && value <= label.usual->second);
@@ -90,48 +25,6 @@ double to_canonical(const Label& label, const std::vector<const UnitName*>& unit
       return conversion.factor * std::pow(value, conversion.power) + conversion.offset;
     }
   return value;
-}
-
-/// Between two labels of one text. A comma between digits is a decimal mark.
-const QRegularExpression& delimiter() {
-  static const QRegularExpression pattern(R"([;|\t]|,(?!\d)|(?<!\d),|\s\s|\s[-–—/]\s)");
-  return pattern;
-}
-
-/// The label at the end of `before`: behind its last delimiter if that is the name of one, else
-/// behind an earlier one ("Height, mm"), else in a bracket that is open. `before` keeps the rest.
-NamedLabels take_last_label(QString& before) {
-  std::vector<qsizetype> starts;
-  for (auto at = delimiter().globalMatch(before); at.hasNext();)
-    starts.push_back(at.next().capturedEnd());
-  starts.insert(starts.begin(), 0);
-  starts.insert(starts.begin(), before.lastIndexOf(u'(') + 1);
-  for (; !starts.empty(); starts.pop_back()) {
-    NamedLabels named = find_named_labels(before.sliced(starts.back()).trimmed());
-    if (named.labels.empty()) continue;
-    before.truncate(starts.back());
-    return named;
-  }
-  return {};
-}
-
-/// Where the text at the beginning of `text`, behind a colon, ends. A dash may belong to it, if no
-/// label with a colon follows.
-qsizetype end_of_text(const QString& text) {
-  static const QRegularExpression pattern(delimiter().pattern() + R"(|\s\()");
-  static const QRegularExpression mark("[:=]");
-  qsizetype start = 0;
-  while (start < text.size() && text[start].isSpace()) ++start;
-  for (auto at = pattern.globalMatch(text, start); at.hasNext();) {
-    const auto match = at.next();
-    constexpr qsizetype kDashLength = 3;
-    if (match.capturedLength() != kDashLength) return match.capturedStart();
-    const qsizetype end = text.indexOf(mark, match.capturedEnd());
-    const QString next =
-        text.sliced(match.capturedEnd(), std::max<qsizetype>(end - match.capturedEnd(), 0));
-    if (!find_named_labels(next.trimmed()).labels.empty()) return match.capturedStart();
-  }
-  return text.size();
 }
 
 class LabelReader {
@@ -164,6 +57,8 @@ class LabelReader {
   bool add_cells(const NamedLabels& named, const std::vector<QString>& cells, std::size_t& next);
   void add_more_cells(const NamedLabels& named, const std::vector<QString>& cells,
                       std::size_t& next);
+  void check_more_numbers(const std::vector<QString>& cells, std::size_t next,
+                          std::size_t values_before);
   void append(const std::vector<LabelValue>& found);
 
   std::vector<LabelValue>& values_;
@@ -260,7 +155,7 @@ bool LabelReader::read_pair(QString& text) {
 void LabelReader::read_without_mark(const QString& text) {
   const std::size_t before = values_.size();
   std::vector<QString> parts;
-  for (const QString& part : text.split(delimiter()))
+  for (const QString& part : text.split(label_delimiter()))
     if (!part.trimmed().isEmpty()) parts.push_back(part.trimmed());
   if (parts.size() > 1) read_cells(parts, false);
   if (values_.size() == before) read_number_behind_blank(text);
@@ -281,15 +176,18 @@ bool LabelReader::has_labels(const QString& text) {
   return LabelReader(values).read_text(text);
 }
 
-/// "Initial height  76 mm"
+/// "Initial height 76 mm", with any labels behind it.
 bool LabelReader::read_number_behind_blank(const QString& text) {
   static const QRegularExpression number(R"(\s[-+]?\d)");
   const qsizetype at = text.indexOf(number);
   if (at <= 0) return false;
   const NamedLabels named = find_named_labels(text.first(at).trimmed());
   const auto amount = read_amount(text.sliced(at));
-  return amount && named.has_number() &&
-         add_number(named, amount->number, amount->unit.isEmpty() ? named.unit : amount->unit);
+  if (!amount || !named.has_number() ||
+      !add_number(named, amount->number, amount->unit.isEmpty() ? named.unit : amount->unit))
+    return false;
+  read_without_mark(amount->rest);
+  return true;
 }
 
 /// The value of a label in the cells from `next` on; sets `next` to the cell behind it.
@@ -330,6 +228,22 @@ void LabelReader::add_more_cells(const NamedLabels& named, const std::vector<QSt
     add_number(named, amount->number, amount->unit.isEmpty() ? named.unit : amount->unit);
     next = at + 1;
   }
+}
+
+/// Another number behind a value is that of another specimen, or repeats the measurement: which
+/// one counts is not known if they differ.
+void LabelReader::check_more_numbers(const std::vector<QString>& cells, std::size_t next,
+                                     std::size_t values_before) {
+  constexpr double kRepeated = 0.005;  // of measurements of one specimen
+  if (next >= cells.size()) return;
+  const auto value = read_amount(cells[next - 1]), other = read_amount(cells[next]);
+  if (!value || !other || !value->rest.trimmed().isEmpty() || !other->rest.trimmed().isEmpty())
+    return;
+  const double a = decimal_number(value->number).value_or(0);
+  const double b = decimal_number(other->number).value_or(0);
+  if (std::fabs(a - b) <= kRepeated * std::fabs(a)) return;
+  for (std::size_t i = values_before; i < values_.size(); ++i)
+    if (values_[i].value) values_[i].is_ambiguous = true;
 }
 
 /// True for a line that only names states of the specimen: a title, or several above columns.
@@ -384,10 +298,13 @@ void LabelReader::read_cells(const std::vector<QString>& cells, bool is_line) {
       continue;
     }
     while (is_line && value_cell_ + 1 < cells.size() && cells[++value_cell_].isEmpty()) continue;
-    if (!add_cells(named, cells, i))
+    const std::size_t values_before = values_.size();
+    if (!add_cells(named, cells, i)) {
       read_without_mark(text);
-    else if (is_line)
+    } else if (is_line) {
       add_more_cells(named, cells, i);
+      check_more_numbers(cells, i, values_before);
+    }
   }
 }
 

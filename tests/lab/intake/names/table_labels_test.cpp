@@ -68,6 +68,8 @@ TEST_CASE("find_labels: several pairs in one text are read with any delimiter") 
                           {{"Diameter (mm),38.1,Height (mm),76.2"}},
                           {{"Specimen S1  Diameter 38.1 mm  Height 76.2 mm"}},
                           {{"Specimen S1", "Diameter 38.1 mm", "Height 76.2 mm"}},
+                          {{"Diameter 38.1 mm Height 76.2 mm"}},
+                          {{"Diameter (mm)\t38.1\tHeight (mm)\t76.2"}},
                           {{"Specimen: S1 - Diameter: 38.1 mm - Height: 76.2 mm"}},
                           {{"Specimen S1 (Diameter: 38.1 mm, Height: 76.2 mm)"}},
                           {{"Specimen: S1, Diameter 38.1 mm, Height: 76.2 mm"}}}) {
@@ -108,6 +110,12 @@ TEST_CASE("find_labels: dimensions after consolidation are not those as built") 
         Approx(37.8));
   CHECK(find_labels({{"Final height", "70"}, {"Height after test (mm)", "70"}}).empty());
   CHECK(label_of({{"Diameter before test (mm)", "38"}}, "diameter").value == Approx(38));
+}
+
+TEST_CASE("find_labels: values of several specimens in one line are ambiguous") {
+  CHECK(label_of({{"Height (mm)", "76.2", "80.0", "76.1"}}, "height").is_ambiguous);
+  CHECK_FALSE(label_of({{"Height (mm)", "76.2", "76.1", "76.3"}}, "height").is_ambiguous);
+  CHECK_FALSE(label_of({{"Height (mm)", "76.2", "Diameter", "38"}}, "height").is_ambiguous);
 }
 
 TEST_CASE("find_labels: a title above values states their state of the specimen") {
