@@ -93,10 +93,24 @@ void add_type_of_title(const Lines& lines, std::vector<LabelValue>& labels) {
   }
 }
 
-std::vector<LabelValue> completed(std::vector<LabelValue> labels, const Lines& lines) {
+void add_labels_beside(const Lines& beside, std::vector<LabelValue>& labels) {
+  std::vector<LabelValue> more = find_labels(beside);
+  std::erase_if(more, [&](const LabelValue& label) {
+    return std::ranges::find(labels, label.name, &LabelValue::name) != labels.end();
+  });
+  for (LabelValue& label : more) label.line = 0;
+  std::ranges::move(more, std::back_inserter(labels));
+}
+
+std::vector<LabelValue> completed(std::vector<LabelValue> labels, const Lines& lines,
+                                  const Lines& beside) {
+  add_labels_beside(beside, labels);
   settle_repeated(labels);
   add_diameter(labels);
   add_type_of_title(lines, labels);
+  const auto in_sheet = labels.size();
+  add_type_of_title(beside, labels);
+  if (labels.size() > in_sheet) labels.back().line = 0;
   return labels;
 }
 
@@ -120,9 +134,10 @@ void keep_block(std::vector<LabelValue>& labels, const std::vector<TableBlock>& 
 
 }  // namespace
 
-std::vector<LabelValue> labels_above(const std::vector<std::string>& lines, Separator separator) {
+std::vector<LabelValue> labels_above(const std::vector<std::string>& lines, Separator separator,
+                                     const std::vector<std::string>& beside) {
   const Lines cells = cells_of_lines(lines, separator);
-  return completed(find_labels(cells), cells);
+  return completed(find_labels(cells), cells, cells_of_lines(beside, Separator::comma));
 }
 
 std::vector<LabelValue> labels_above(const TableStructure& structure, std::size_t block) {
@@ -135,7 +150,7 @@ std::vector<LabelValue> labels_above(const TableStructure& structure, std::size_
           find_labels({{structure.blocks[block - 1].title}}, structure.heading_lines.front()),
           std::back_inserter(labels));
   }
-  return completed(std::move(labels), cells);
+  return completed(std::move(labels), cells, cells_of_lines(structure.beside, Separator::comma));
 }
 
 }  // namespace triax::lab

@@ -334,7 +334,7 @@ std::int64_t first_own_line(const TableLayout& layout, const std::vector<LabelVa
 }  // namespace
 
 void take_labels(TableLayout& layout) {
-  layout.labels = labels_above(layout.head, layout.heading_separator);
+  layout.labels = labels_above(layout.head, layout.heading_separator, layout.beside);
   drop_keys(layout);
 }
 

@@ -125,7 +125,8 @@ void set_labels(RecordHeader& header, const TableLayout& layout, Findings& findi
       set_metadata(header, where, label.metadata, value);
       findings.note(
           "label " + label.metadata, label.line,
-          fmt::format("{} = {} is from the lines above the table", label.metadata, value));
+          fmt::format("{} = {} is from {}", label.metadata, value,
+                      label.line > 0 ? "the lines above the table" : "another worksheet"));
     } catch (const BadInput&) {
       findings.note(
           "label " + label.metadata, label.line,

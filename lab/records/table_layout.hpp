@@ -22,6 +22,7 @@ struct TableTest {
   std::int64_t first_line = 0, last_line = 0;  ///< of its rows; 0: as the table
   std::int64_t line_before = 0;                ///< last row of the test above it; 0: none
   std::string name;                            ///< "lines 6 to 41"
+  std::string sheet{};                         ///< of a workbook with several; empty: the only one
 };
 
 /// A table that is read as one test holds several: find_tests()
@@ -46,7 +47,8 @@ struct PlannedColumn {
 struct TableLayout {
   Dialect dialect;
   std::string file;
-  std::vector<std::string> head;  ///< lines above the headings, UTF-8
+  std::vector<std::string> head;    ///< lines above the headings, UTF-8
+  std::vector<std::string> beside;  ///< lines of other worksheets that can have labels, as CSV
   std::int64_t heading_line = 0;
   std::int64_t first_row_line = 0;         ///< first line that can hold a row
   std::int64_t last_row_line = 0;          ///< 0: rows up to the end of the file

@@ -16,6 +16,7 @@
 namespace triax::lab {
 
 struct DiggsDocument;
+struct SheetRoles;
 struct TableSample;
 struct TestsInFile;
 
@@ -60,12 +61,14 @@ struct TestsInFile {
   std::vector<std::string> names;
   std::shared_ptr<const DiggsDocument> document;  ///< of a DIGGS file
   std::vector<TableTest> tables;                  ///< of any other file
-  std::shared_ptr<const TableSample> sample{};    ///< of any other file that is a text
+  std::shared_ptr<const TableSample> sample{};    ///< of any other file with one table
+  std::shared_ptr<const SheetRoles> sheets{};     ///< of a workbook
 };
-/// The tests of a DIGGS file, or of a table with several ("cells 1 to 3, 'Specimen 1'", "lines 6 to
-/// 41"); no names for a table with one, and for a file that open_record() cannot read. `options`
-/// gives dialect, encoding and worksheet. Throws BadInput if a DIGGS file cannot be read or holds
-/// no triaxial test, and SeveralTests for more tests than a file can have.
+/// The tests of a DIGGS file, of worksheets with the same headings ("worksheet 'CU1'"), or of a
+/// table with several ("cells 1 to 3, 'Specimen 1'", "lines 6 to 41"); no names for a table with
+/// one, and for a file that open_record() cannot read. `options` gives dialect, encoding and
+/// worksheet. Throws BadInput if a DIGGS file cannot be read or holds no triaxial test, and
+/// SeveralTests for more tests than a file can have.
 TestsInFile tests_in(const std::string& path, const RecordOptions& options = {},
                      Extent extent = Extent::sample);
 /// The same of a file that is not on the disk; `open` opens it from its first byte.

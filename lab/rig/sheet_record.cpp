@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/rig/sheet_record.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -9,9 +10,11 @@
 #include <fmt/format.h>
 
 #include "lab/base/bad_input.hpp"
+#include "lab/base/line_reader.hpp"
 #include "lab/base/text.hpp"
 #include "lab/base/toml_reader.hpp"
 #include "lab/diggs/diggs_document.hpp"
+#include "lab/intake/names/stage_words.hpp"
 #include "lab/intake/text/encoding.hpp"
 #include "lab/intake/text/file_kind.hpp"
 #include "lab/intake/text/structure.hpp"
@@ -57,13 +60,24 @@ std::unique_ptr<ByteSource> text_of(std::unique_ptr<ByteSource> source,
   return open_utf8(std::move(source), encoding);
 }
 
+/// A workbook whose worksheets are opened one by one.
+struct OpenBook {
+  std::shared_ptr<const Workbook> book;
+  std::shared_ptr<ByteSource> file;
+
+  std::unique_ptr<SheetSource> open(const SheetEntry& entry,
+                                    const std::shared_ptr<const SheetRoles>& roles = {}) const {
+    return std::make_unique<SheetSource>(book, entry, file, roles);
+  }
+};
+
 /// The worksheet with the most rows of a table, whatever they mean; null if there is none.
-std::unique_ptr<ByteSource> largest_table(const std::shared_ptr<const Workbook>& book,
-                                          const std::shared_ptr<ByteSource>& file) {
+std::unique_ptr<ByteSource> largest_table(const OpenBook& book,
+                                          const std::shared_ptr<const SheetRoles>& roles) {
   std::unique_ptr<ByteSource> best;
   std::size_t rows = 0;
-  for (const SheetEntry& entry : book->sheets()) {
-    auto sheet = std::make_unique<SheetSource>(book, entry, file);
+  for (const SheetEntry& entry : book.book->sheets()) {
+    auto sheet = book.open(entry, roles);
     const TableSample sample = read_sample(*sheet);
     if (!find_structure(sample).structure || sample.size() <= rows) continue;
     rows = sample.size();
@@ -73,31 +87,95 @@ std::unique_ptr<ByteSource> largest_table(const std::shared_ptr<const Workbook>&
   return best;
 }
 
+void append_lines(SheetSource& sheet, std::vector<std::string>& lines) {
+  LineReader reader(sheet);
+  std::string_view line;
+  for (std::size_t count = 0; count < kMaxHead_lines && reader.next(line); ++count)
+    lines.emplace_back(line);
+}
+
+std::vector<std::string> headings_of(SheetSource& sheet) {
+  const StructureResult found = find_structure(read_sample(sheet));
+  return found.structure ? found.structure->headings : std::vector<std::string>();
+}
+
+bool is_before_shear(const std::string& sheet) {
+  using enum StageRole;
+  const StageRole role = read_stage_words(sheet).role;
+  return role == saturation || role == b_check || role == consolidation;
+}
+
+/// Worksheets that are recognised, with the lines beside of `roles`; adds the lines of the rest.
+std::vector<SheetEntry> recognised_sheets(const OpenBook& book, const RecordOptions& options,
+                                          const std::shared_ptr<const SheetRoles>& roles,
+                                          std::vector<std::string>& lines_of_others) {
+  std::vector<SheetEntry> found;
+  for (const SheetEntry& entry : book.book->sheets()) {
+    const auto sheet = book.open(entry, roles);
+    if (refusal(*sheet, options).empty())
+      found.push_back(entry);
+    else
+      append_lines(*sheet, lines_of_others);
+  }
+  return found;
+}
+
+/// A test is a worksheet with the headings of the first one; those of stages before shear come
+/// last. Constants that a table needs can be in another worksheet: if no worksheet is recognised
+/// without the others, they are read with the lines of the others.
+SheetRoles find_roles(const OpenBook& book, const RecordOptions& options) {
+  SheetRoles roles;
+  auto sheets = recognised_sheets(book, options, {}, roles.beside);
+  if (sheets.empty() && book.book->sheets().size() > 1) {
+    const auto all = std::make_shared<const SheetRoles>(roles);
+    roles.beside.clear();
+    sheets = recognised_sheets(book, options, all, roles.beside);
+  }
+  std::ranges::stable_partition(sheets,
+                                [](const SheetEntry& one) { return !is_before_shear(one.name); });
+  std::vector<std::string> headings;
+  for (const SheetEntry& entry : sheets) {
+    const auto sheet = book.open(entry);
+    if (roles.tests.empty()) headings = headings_of(*sheet);
+    const bool is_test =
+        roles.tests.empty() || (!is_before_shear(entry.name) && headings_of(*sheet) == headings);
+    (is_test ? roles.tests : roles.others).push_back(entry.name);
+  }
+  return roles;
+}
+
+/// The worksheet that the options, their dialect or their test name; empty if none does.
+std::string named_sheet(const RecordOptions& options) {
+  if (!options.sheet.empty()) return options.sheet;
+  const auto forced = named_dialect(options);
+  if (forced && !forced->sheet.empty()) return forced->sheet;
+  const bool is_known =
+      options.test > 0 && options.tests && options.test <= options.tests->tables.size();
+  return is_known ? options.tests->tables[options.test - 1].sheet : std::string();
+}
+
+[[noreturn]] void refuse_workbook(const OpenBook& book, const RecordOptions& options) {
+  const auto& sheets = book.book->sheets();
+  std::string why = refusal(*book.open(sheets.front()), options);
+  if (sheets.size() > 1)
+    why = fmt::format("{}: no readings recognised in its {} worksheets; first worksheet: {}",
+                      book.book->name(), sheets.size(), why);
+  throw BadInput(why);
+}
+
 std::unique_ptr<ByteSource> chosen_sheet(ZipArchive archive, std::unique_ptr<ByteSource> file,
                                          const RecordOptions& options) {
-  const auto book = std::make_shared<const Workbook>(std::move(archive));
-  const std::shared_ptr<ByteSource> behind = std::move(file);
-  const auto forced = named_dialect(options);
-  const std::string wanted = !options.sheet.empty() ? options.sheet
-                             : forced               ? forced->sheet
-                                                    : std::string();
-  if (!wanted.empty()) return std::make_unique<SheetSource>(book, book->sheet(wanted), behind);
-  std::string first;
-  for (const SheetEntry& entry : book->sheets()) {
-    auto sheet = std::make_unique<SheetSource>(book, entry, behind);
-    const auto why = refusal(*sheet, options);
-    if (why.empty()) {
-      sheet->rewind();
-      return sheet;
-    }
-    if (first.empty()) first = why;
-  }
+  const OpenBook book{std::make_shared<const Workbook>(std::move(archive)), std::move(file)};
+  std::string wanted = named_sheet(options);
+  if (!wanted.empty()) book.book->sheet(wanted);  // or throws
+  const auto roles = options.tests && options.tests->sheets
+                         ? options.tests->sheets
+                         : std::make_shared<const SheetRoles>(find_roles(book, options));
+  if (wanted.empty() && !roles->tests.empty()) wanted = roles->tests.front();
+  if (!wanted.empty()) return book.open(book.book->sheet(wanted), roles);
   if (options.is_to_propose)
-    if (auto sheet = largest_table(book, behind)) return sheet;
-  if (book->sheets().size() > 1)
-    first = fmt::format("{}: no readings recognised in its {} worksheets; first worksheet: {}",
-                        book->name(), book->sheets().size(), first);
-  throw BadInput(first);
+    if (auto sheet = largest_table(book, roles)) return sheet;
+  refuse_workbook(book, options);
 }
 
 }  // namespace
@@ -175,10 +253,15 @@ void take_cells(RecordHeader& header, ByteSource& source, const TableLayout& lay
         findings.note("cell " + key.key, 0, std::string(error.what()) + "; ignored");
       }
     }
-  if (sheet->book().sheets().size() > 1)
-    findings.note("sheet", 0,
-                  fmt::format("the readings are from worksheet {}; use --sheet NAME for another",
-                              excerpt(sheet->sheet().name)));
+  if (sheet->book().sheets().size() < 2) return;
+  std::vector<std::string> others;
+  for (const auto* const names : {&sheet->roles()->tests, &sheet->roles()->others})
+    for (const std::string& name : *names)
+      if (name != sheet->sheet().name) others.push_back(excerpt(name));
+  findings.note("sheet", 0,
+                fmt::format("the readings are from worksheet {}; use --sheet NAME for another{}",
+                            excerpt(sheet->sheet().name),
+                            others.empty() ? "" : ": readings are also in " + joined(others)));
 }
 
 }  // namespace triax::lab

@@ -26,9 +26,9 @@ bool is_dialect(const std::filesystem::path& file);
 RecordOptions with_dialect_beside(const std::string& path, const RecordOptions& options);
 
 /// A text as UTF-8. Its encoding is that of the options, else of the dialect (table.encoding), else
-/// it is found. A workbook gives the worksheet that the options name, else the dialect, else the
-/// first with headings that are recognised. Throws BadInput for a file that is no table
-/// (find_file_kind), an unknown encoding, and if no worksheet fits.
+/// it is found. A workbook gives the worksheet that the options name, else the dialect, else that
+/// of the test, else the first with headings that are recognised (SheetRoles). Throws BadInput for
+/// a file that is no table (find_file_kind), an unknown encoding, and if no worksheet fits.
 std::unique_ptr<ByteSource> sheet_or_text(std::unique_ptr<ByteSource> source,
                                           const RecordOptions& options);
 /// The same of a file, whose archive is not held in memory.

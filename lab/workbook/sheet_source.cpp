@@ -10,8 +10,11 @@
 namespace triax::lab {
 
 SheetSource::SheetSource(std::shared_ptr<const Workbook> book, SheetEntry sheet,
-                         std::shared_ptr<ByteSource> file)
-    : book_(std::move(book)), sheet_(std::move(sheet)), file_(std::move(file)) {
+                         std::shared_ptr<ByteSource> file, std::shared_ptr<const SheetRoles> roles)
+    : book_(std::move(book)),
+      sheet_(std::move(sheet)),
+      file_(std::move(file)),
+      roles_(roles ? std::move(roles) : std::make_shared<const SheetRoles>()) {
   SheetSource::rewind();
 }
 

@@ -4,22 +4,31 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lab/base/byte_source.hpp"
+#include "lab/intake/text/table_sample.hpp"
 #include "lab/workbook/sheet_cells.hpp"
 #include "lab/workbook/workbook.hpp"
 
 namespace triax::lab {
 
+/// What the worksheets of a workbook hold.
+struct SheetRoles {
+  std::vector<std::string> tests;   ///< names of those with readings, each of a test of its own
+  std::vector<std::string> others;  ///< with readings of another form, or of a stage before shear
+  std::vector<std::string> beside;  ///< lines of all other worksheets, which may have labels
+};
+
 /// Lines of cells apart by commas, in quotes where they hold one: line N is row N of the sheet.
 /// Rows are as wide as the widest before them, since a sheet does not keep empty cells at the end
 /// of one. A row that begins with # stands as it would in a text file. Memory does not grow with
 /// the sheet.
-class SheetSource : public ByteSource {
+class SheetSource : public ByteSource, public HasLinesBeside {
  public:
   /// `file` is where the workbook came from.
   SheetSource(std::shared_ptr<const Workbook> book, SheetEntry sheet,
-              std::shared_ptr<ByteSource> file);
+              std::shared_ptr<ByteSource> file, std::shared_ptr<const SheetRoles> roles = {});
 
   const std::string& name() const override { return book_->name(); }
   /// Of the text, as far as can be said before it is read.
@@ -28,7 +37,11 @@ class SheetSource : public ByteSource {
   void rewind() override;
   ByteSource& file() override { return *file_; }
 
+  const std::vector<std::string>& lines_beside() const override { return roles_->beside; }
+
   const SheetEntry& sheet() const { return sheet_; }
+  /// Never null; empty if they were not searched for.
+  const std::shared_ptr<const SheetRoles>& roles() const { return roles_; }
   const Workbook& book() const { return *book_; }
 
  private:
@@ -38,6 +51,7 @@ class SheetSource : public ByteSource {
   std::shared_ptr<const Workbook> book_;
   SheetEntry sheet_;
   std::shared_ptr<ByteSource> file_;
+  std::shared_ptr<const SheetRoles> roles_;
   std::unique_ptr<SheetCells> cells_;
   std::string text_;  ///< that is not read yet, from at_ on
   std::size_t at_ = 0;

@@ -162,6 +162,7 @@ TableStructure describe(const TableSample& sample, const Candidate& best) {
   table.column_count = rows.width;
   table.extents = find_extents(sample, rows, best.headings);
   table.comment = find_comment(sample, rows);
+  table.beside = sample.beside;
   take_lines(table, sample, rows, best.headings);
   table.units = best.headings.units;
   const auto& lines = best.headings.cells;

@@ -38,6 +38,7 @@ struct TableStructure {
   std::vector<std::string> units;            ///< one per column as written; empty: no line of units
   std::string comment;                       ///< lines that begin so are no rows; empty: none
   std::vector<std::string> preamble;         ///< lines above the headings
+  std::vector<std::string> beside;           ///< lines of CSV in other worksheets of the file
   std::size_t column_count = 0;
   CellExtents extents;             ///< of cells with spaces between them; empty: other separators
   std::vector<TableBlock> blocks;  ///< of tables side by side; empty: one table

@@ -12,6 +12,8 @@ namespace triax::lab {
 
 TableSample read_sample(ByteSource& source) {
   TableSample sample;
+  if (const auto* const with_more = dynamic_cast<const HasLinesBeside*>(&source))
+    sample.beside = with_more->lines_beside();
   LineReader reader(source);
   std::string_view line;
   std::size_t bytes = 0;

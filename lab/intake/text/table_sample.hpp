@@ -10,11 +10,20 @@
 
 namespace triax::lab {
 
+/// A source whose file has more lines that can state values of its table.
+class HasLinesBeside {
+ public:
+  virtual ~HasLinesBeside() = default;
+  /// Lines of CSV: those of other worksheets.
+  virtual const std::vector<std::string>& lines_beside() const = 0;
+};
+
 struct TableSample {
   std::vector<std::string> first;     ///< lines from the first one on, UTF-8
   std::vector<std::string> last;      ///< the last lines that are not in `first`
   std::int64_t last_line_number = 0;  ///< line number of last.front(), 0 if `last` is empty
   bool whole = true;                  ///< no line is missing between `first` and `last`
+  std::vector<std::string> beside;    ///< HasLinesBeside::lines_beside() of the source
 
   std::size_t size() const { return first.size() + last.size(); }
   /// Line `i` of those that are held.

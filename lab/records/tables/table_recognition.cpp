@@ -357,7 +357,11 @@ TableLayout known_table(ByteSource& source, const Head& head, const Candidate& k
   layout.head.assign(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(known.line));
   std::size_t row = 0;
   const auto units = find_first_row(layout, head, known.line, row);
-  if (is_forced && !layout.dialect.comment_is_toml) take_labels(layout);
+  if (is_forced && !layout.dialect.comment_is_toml) {
+    if (const auto* const with_more = dynamic_cast<const HasLinesBeside*>(&source))
+      layout.beside = with_more->lines_beside();
+    take_labels(layout);
+  }
   const auto unknown = plan_columns(layout, heading_text(lines[known.line]), units, findings);
   layout.separator = row_separator(layout, row < lines.size() ? lines[row] : std::string());
   layout.ignored = joined(unknown, "; ");

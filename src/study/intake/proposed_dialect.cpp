@@ -23,8 +23,9 @@ WrittenDialect proposed_dialect(const lab::Proposal& proposal, const std::string
       "How triax understands {}. Each column has its evidence; larger numbers are surer.", file);
   for (const lab::LabelValue& label : proposal.labels)
     if (label.value)
-      out.remarks.push_back(
-          fmt::format("line {}: {} = {:g}", label.line, label.name, *label.value));
+      out.remarks.push_back(fmt::format(
+          "{}: {} = {:g}", label.line > 0 ? fmt::format("line {}", label.line) : "other worksheet",
+          label.name, *label.value));
   for (const lab::TableQuestion& question : proposal.questions)
     out.remarks.push_back(fmt::format("? {}: {}", question.text, question.remedy));
   return out;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/rig/sheet_record.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -28,7 +31,74 @@ std::string own_rows() {
          cell("101,5") + "</row>";
 }
 
+/// Numbers as such, all else as text.
+std::string row(const std::vector<std::string>& cells) {
+  std::string out = "<row>";
+  for (const std::string& text : cells) {
+    const bool is_number = !text.empty() && text.find_first_not_of("0123456789.") == text.npos;
+    out += is_number ? "<c><v>" + text + "</v></c>" : cell(text);
+  }
+  return out + "</row>";
+}
+
+const std::vector<std::string> kRawHeadings{"Axial displacement (mm)", "Axial load (N)",
+                                            "Cell pressure (kPa)", "Pore pressure (kPa)"};
+
+std::string raw_sheet(const std::vector<std::string>& headings, double cell_kPa) {
+  std::string out = row(headings);
+  for (int i = 0; i < 20; ++i)
+    out += row({fmt::format("{:.2f}", 0.4 * i), fmt::format("{:.1f}", 200.0 * i / (i + 4)),
+                fmt::format("{:g}", cell_kPa), fmt::format("{:.1f}", 300 + 60.0 * i / (i + 6))});
+  return sheet(out);
+}
+
+const std::string kSpecimenRows = row({"Height (mm)", "76.2"}) + row({"Diameter (mm)", "38.1"});
+
+bool has_warning(const RecordHeader& header, const std::string& text) {
+  return std::ranges::any_of(header.warnings, [&](const Warning& warning) {
+    return warning.text.find(text) != std::string::npos;
+  });
+}
+
 }  // namespace
+
+TEST_CASE("Record of a workbook: labels of another sheet are used") {
+  const auto parts = workbook(
+      {{"Specimen data", sheet(kSpecimenRows)}, {"Readings", raw_sheet(kRawHeadings, 500)}});
+  const auto rig = open_record(source_of(parts), {});
+  CHECK(rig->header().specimen.height_m == Approx(0.0762));
+  CHECK(rig->header().specimen.diameter_m == Approx(0.0381));
+  CHECK(has_warning(rig->header(), "specimen.height_mm = 76.2 is from another worksheet"));
+}
+
+TEST_CASE("Record of a workbook: a sheet is read with the factors of another one") {
+  const auto parts = workbook(
+      {{"Constants", sheet(kSpecimenRows + row({"Load ring constant", "1.25", "N/div"}) +
+                           row({"Dial gauge", "0.01", "mm/div"}))},
+       {"Readings",
+        raw_sheet({"Dial gauge (div)", "Load ring (div)", kRawHeadings[2], kRawHeadings[3]},
+                  500)}});
+  const auto rig = open_record(source_of(parts), {});
+  const auto all = all_readings(*rig);
+  REQUIRE(all.size() == 20);
+  CHECK(all[5][Quantity::axial_displacement] == Approx(2.0e-5));
+  CHECK(all[4][Quantity::axial_force] == Approx(1.25 * 100));
+}
+
+TEST_CASE("tests_in: each sheet with the same headings is a test") {
+  const auto parts = workbook({{"Data", sheet(kSpecimenRows)},
+                               {"Consolidation", raw_sheet(kRawHeadings, 450)},
+                               {"CU1", raw_sheet(kRawHeadings, 500)},
+                               {"CU2", raw_sheet(kRawHeadings, 600)}});
+  const auto open = [&]() -> std::unique_ptr<ByteSource> { return source_of(parts); };
+  const auto tests = std::make_shared<const TestsInFile>(tests_in(open, {}));
+  REQUIRE(tests->names == std::vector<std::string>{"worksheet 'CU1'", "worksheet 'CU2'"});
+  const auto rig = open_record(open(), {.test = 2, .tests = tests});
+  CHECK(all_readings(*rig).front()[Quantity::cell_pressure] == Approx(600e3));
+  CHECK(rig->header().specimen.height_m == Approx(0.0762));
+  CHECK(has_warning(rig->header(), "readings are also in 'CU1', 'Consolidation'"));
+  CHECK(tests_in(open, {.sheet = "CU1"}).names.empty());
+}
 
 TEST_CASE("a sheet is a record: the first that is recognised, numbers to the last bit") {
   const auto parts = workbook(
