@@ -191,9 +191,9 @@ std::vector<const TestType*> types_by_longest_names(const std::string& text) {
       }
   std::vector<const TestType*> found;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto [first, last] = places[i];
     const bool is_inside = std::ranges::any_of(places, [&](const auto& other) {
-      return other.first <= first && last <= other.second && other != places[i];
+      return other.first <= places[i].first && places[i].second <= other.second &&
+             other != places[i];
     });
     if (!is_inside) found.push_back(types[i]);
   }

@@ -131,8 +131,8 @@ SheetRoles find_roles(const OpenBook& book, const RecordOptions& options) {
     roles.beside.clear();
     sheets = recognised_sheets(book, options, all, roles.beside);
   }
-  std::ranges::stable_partition(sheets,
-                                [](const SheetEntry& one) { return !is_before_shear(one.name); });
+  std::stable_partition(sheets.begin(), sheets.end(),
+                        [](const SheetEntry& one) { return !is_before_shear(one.name); });
   std::vector<std::string> headings;
   for (const SheetEntry& entry : sheets) {
     const auto sheet = book.open(entry);

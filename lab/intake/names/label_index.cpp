@@ -97,9 +97,9 @@ std::vector<const Label*> LabelIndex::find_exact(const QString& name) const {
 
 std::optional<SpecimenState> LabelIndex::take_state(std::vector<QString>& tokens) const {
   for (const auto& [phrase, state] : states_) {
-    const auto found = std::ranges::search(tokens, phrase);
-    if (found.empty()) continue;
-    tokens.erase(found.begin(), found.end());
+    const auto found = std::search(tokens.begin(), tokens.end(), phrase.begin(), phrase.end());
+    if (found == tokens.end()) continue;
+    tokens.erase(found, found + static_cast<std::ptrdiff_t>(phrase.size()));
     return state;
   }
   for (const auto& [phrase, state] : states_)  // without spaces between words

@@ -280,7 +280,8 @@ void LabelReader::read_below(const std::vector<QString>& names, const std::vecto
     if (names[cell_].isEmpty()) continue;
     value_cell_ = cell_;
     std::size_t next = cell_;
-    add_cells(find_named_labels(names[cell_]), {cells.begin(), cells.begin() + cell_ + 1}, next);
+    add_cells(find_named_labels(names[cell_]),
+              {cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(cell_) + 1}, next);
   }
 }
 
@@ -346,6 +347,7 @@ bool has_values_below(const std::vector<std::vector<QString>>& lines, std::size_
 std::vector<LabelValue> find_labels(const std::vector<std::vector<std::string>>& lines,
                                     std::int64_t first_line) {
   std::vector<std::vector<QString>> cells;
+  cells.reserve(lines.size());
   for (const auto& line : lines) cells.push_back(cells_of_line(line));
   std::vector<LabelValue> values;
   LabelReader reader(values);
