@@ -118,6 +118,7 @@ class Comparison:
     def find_asked_columns(self):
         names = {c["heading"].lower(): c["position"] for c in self.e["columns"]} | \
             {c.get("heading", "").lower(): p for p, c in self.columns.items()}
+        names |= {name.replace("_", " "): position for name, position in names.items()}
         self.unit_asked |= {p for p, c in self.columns.items() if c.get("unit_source") == "asked" or c.get("quantity") == "asked"}
         for subject, name in self.asked:
             if subject in ("unit", "meaning") and name in names:
@@ -174,7 +175,8 @@ class Comparison:
             return
         factor = want["true_factor"] if asked else want["factor"]
         sign = (want["true_sign"] if asked else want["sign"]) * flip
-        free = want.get("sign_open", False)
+        free = want.get("sign_open", False) or ("sign", want["heading"].lower().replace("_", " ")) in self.asked or \
+            ("sign", want["heading"].lower()) in self.asked
         if "factor" in got and not close(got["factor"], factor) and want["unit"] not in ("div", "h:mm:ss"):
             self.wrong.append(f"{where}: factor {got['factor']} is not {factor}")
         if "sign" in got and got["sign"] != sign and not free:

@@ -21,11 +21,14 @@ double farthest_change(const std::vector<double>& values) {
   return out;
 }
 
-/// Median of the second differences, which a smooth curve does not have.
-double noise_of(const std::vector<double>& values) {
+/// Median of the second differences, which a smooth curve does not have, between rows that follow
+/// each other.
+double noise_of(const std::vector<double>& rows) {
   std::vector<double> bends;
-  for (std::size_t i = 2; i < values.size(); ++i)
-    bends.push_back(std::fabs(values[i] - 2 * values[i - 1] + values[i - 2]) / 2);
+  for (std::size_t i = 2; i < rows.size(); ++i) {
+    const double bend = std::fabs(rows[i] - 2 * rows[i - 1] + rows[i - 2]) / 2;
+    if (!std::isnan(bend)) bends.push_back(bend);
+  }
   return bends.empty() ? 0 : median(std::move(bends));
 }
 
@@ -73,7 +76,7 @@ double first_contraction_evidence(const Identity& identity, SeriesSpan s,
   const auto values = known_values(*s[0]);
   if (values.size() <= kMinRows) return 0;
   const double range = std::fabs(farthest_change(values));
-  const double rounding = std::max(s[0]->half_unit, noise_of(values));
+  const double rounding = std::max(s[0]->half_unit, noise_of(s[0]->values));
   if (range <= 2 * kRelevant * rounding) return 0;
   const auto first = std::ranges::find_if(values, [&](double value) {
     return std::fabs(value - values.front()) > std::max(kRelevant * rounding, kFraction * range);
@@ -136,8 +139,9 @@ double no_tension_evidence(const Identity& identity, SeriesSpan s,
 
 double strain_range_evidence(const Identity& identity, SeriesSpan s,
                              const SpecimenValues& /*specimen*/) {
-  constexpr double kOfATest = 0.015;
-  return largest(known_values(*s[0])) < kOfATest ? identity.lowest : identity.highest;
+  constexpr double kOfATest = 0.015, kWhole = 1;
+  const double most = largest(known_values(*s[0]));
+  return most < kOfATest || most > kWhole ? identity.lowest : identity.highest;
 }
 
 double displacement_range_evidence(const Identity& identity, SeriesSpan s,

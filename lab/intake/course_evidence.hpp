@@ -23,7 +23,7 @@ EvidenceFunction same_start_evidence;
 EvidenceFunction order_evidence;
 /// Most values are no tension, which soil does not take.
 EvidenceFunction no_tension_evidence;
-/// The strain reaches that of a test, 1.5 %.
+/// The largest strain is that of a test, 1.5 to 100 %.
 EvidenceFunction strain_range_evidence;
 /// The displacement reaches that of a test, 0.5 mm.
 EvidenceFunction displacement_range_evidence;

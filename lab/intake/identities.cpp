@@ -213,7 +213,7 @@ void add_courses(std::vector<Identity>& all) {
   all.push_back(course("u begins above 0", {kU}, start_above_zero_evidence, -4, 0.5));
   all.push_back(course("σ1′/σ3′ begins above 0", {"principal_stress_ratio"},
                        start_above_zero_evidence, -4, 0.5));
-  all.push_back(course("strain reaches 1.5 %", {kStrain}, strain_range_evidence, -3, 0));
+  all.push_back(course("strain is 1.5 to 100 %", {kStrain}, strain_range_evidence, -3, 0));
   all.push_back(course("displacement reaches 0.5 mm", {"axial_displacement"},
                        displacement_range_evidence, -3, 0));
   all.push_back(

@@ -41,6 +41,12 @@ bool usual_is_open(const ColumnReading& reading) {
   return reading.quantity->name == "volume_change";
 }
 
+/// Only the sign of the column is not decided.
+bool is_sign_open(const ColumnMeaning& meaning) {
+  return !meaning.is_decided() && meaning.other->quantity == meaning.reading.quantity &&
+         meaning.other->factor == meaning.reading.factor;
+}
+
 bool is_volume(const ColumnReading& reading) {
   return reading.quantity->name == "volume_change" || reading.quantity->name == "back_volume";
 }
@@ -76,10 +82,10 @@ class Questions {
     const ColumnReading& reading = meaning.reading;
     if (is_unused(reading) || is_auxiliary(reading) || column.clock) return;
     const std::string key = reading.quantity->name;
-    if (is_volume(reading) && !varies(i) && usual_is_open(reading))
+    if (usual_is_open(reading) && (!varies(i) || is_sign_open(meaning)))
       return ask(About::sign, column.position, "sign of " + column.title,
                  fmt::format("{} = {{ column = {}, sign = -1 }}", key, column.position));
-    if (reading.unit_source == UnitSource::asked) {
+    if (reading.unit_source == UnitSource::asked || is_impossible_strain(i)) {
       ask(About::unit, column.position, "unit of " + column.title,
           fmt::format("{} = {{ column = {}, unit = \"...\" }}", key, column.position));
       return;
@@ -87,11 +93,19 @@ class Questions {
     if (meaning.is_decided()) return;
     const ColumnReading& other = *meaning.other;
     if (is_unused(other)) return;
-    const bool sign_only = other.quantity == reading.quantity && other.factor == reading.factor;
-    if (sign_only || is_definition(reading, other)) return;
+    if (is_sign_open(meaning) || is_definition(reading, other)) return;
     ask(About::meaning, column.position, "meaning of " + column.title,
         fmt::format("{} = {{ column = {} }} or {} = ...", key, column.position,
                     other.quantity->name));
+  }
+
+  /// A strain beyond 100 % is in a unit that could not be read.
+  bool is_impossible_strain(std::size_t i) const {
+    constexpr std::array kAtMostWhole{"axial_strain", "radial_strain", "volumetric_strain"};
+    const ColumnReading& reading = p_.meaning.columns[i].reading;
+    if (std::ranges::find(kAtMostWhole, reading.quantity->name) == kAtMostWhole.end()) return false;
+    return std::ranges::any_of(p_.table.columns[i].sample.values,
+                               [&](double value) { return std::fabs(value * reading.factor) > 1; });
   }
 
   bool varies(std::size_t i) const {

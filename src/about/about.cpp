@@ -65,6 +65,7 @@ Command about_command() {
           .description = {"With --rules, prints the table of rules that makes the result of an "
                           "assessment from what was found in a test, and the limits of these "
                           "rules."},
+          .diagnostics = {{"unexpected argument 'ARGUMENT'; ...", "use no argument but --rules"}},
           .examples = {{"triax about", "print version and licence"},
                        {"triax about --rules", "print the rules of an assessment"}},
           .set_up = [](CLI::App& app) -> std::function<void()> {

@@ -39,7 +39,7 @@ constexpr std::u32string_view kKorean =
     U"시험번호시간축변위응력차변형률간극수압구속배체적하중높이직경단면유효과잉측정값온도일시공시료"
     U"심도전단압밀주평균최대";
 constexpr std::u32string_view kOfUnits = U"°²³";
-constexpr std::u32string_view kSigns = U"\u00A0´§µ±·σεΔδτφγ′’“”‘–—×…®©½¼№：（），、。・ー％℃";
+constexpr std::u32string_view kSigns = U"\u00A0´§‰µ±·σεΔδτφγ′’“”‘–—×…®©½¼№：（），、。・ー％℃";
 
 constexpr std::array kPages{
     CodePage{"Windows-1252", "CP1252", 0, kWestern, 0xA1, 0xFF, true, false},
@@ -140,18 +140,27 @@ double log_odds_of(const CodePage& page, const Place& place) {
   return odds + (wrong ? kWrongPlace : 0);
 }
 
+/// Brackets of ASCII that are open at the end of a text.
+template <class Text>
+std::ptrdiff_t open_brackets(const Text& text) {
+  return std::ranges::count(text, '[') + std::ranges::count(text, '(') -
+         std::ranges::count(text, ']') - std::ranges::count(text, ')');
+}
+
 double log_odds_of(const CodePage& page, const std::set<std::string_view>& words) {
+  constexpr double kOpenBracket = -12;  // the second byte of a character closes it in ASCII
   Decoder decoder(page.iconv_name);
   if (!decoder.is_open()) return -HUGE_VAL;
   std::set<Place> places;
+  double sum = page.prior;
   for (const auto word : words) {
     const auto text = decoder.decode(word);
+    if (open_brackets(word) == 0 && open_brackets(text) != 0) sum += kOpenBracket;
     for (std::size_t i = 0; i < text.size(); ++i)
       if (text[i] == 0 || text[i] > 0x7F)
         places.insert(
             {i > 0 ? text[i - 1] : U' ', text[i], i + 1 < text.size() ? text[i + 1] : U' '});
   }
-  double sum = page.prior;
   for (const Place& place : places) sum += log_odds_of(page, place);
   return sum;
 }

@@ -212,3 +212,44 @@ TEST_CASE("propose: a void ratio below % is a plain number") {
   CHECK(proposal.meaning.columns[2].reading.factor == 1);
   CHECK(proposal.meaning.columns[1].reading.factor == Approx(0.01));
 }
+
+TEST_CASE("propose: the unit of a strain beyond 100 % is asked") {
+  const auto proposal =
+      proposal_of(table("Displ,str_ax,e_V,er,q\n[mm],[x],[x],[x],[kPa]", [](int i) {
+        return fmt::format("{:.2f},{:.1f},{:.1f},{:.1f},{:.1f}", 1.0 * i, 7.0 * i, 1.0 * i,
+                           -3.0 * i, q_of(i));
+      }));
+  REQUIRE(quantity_of(proposal, 1) == "axial_strain");
+  CHECK(asks(proposal, "unit of str ax"));
+  const auto usual = proposal_of(table("Displ,str_ax,q\n[mm],[%],[kPa]", [](int i) {
+    return fmt::format("{:.2f},{:.1f},{:.1f}", 1.0 * i, 1.0 * i, q_of(i));
+  }));
+  CHECK_FALSE(asks(usual, "unit of str ax"));
+}
+
+TEST_CASE("propose: the sign of a volume change is decided across a gap, or asked") {
+  const auto text = [](double sign, const char* second) {
+    const std::vector<double> volumes{0, 0.375, 0.485, 0.456, -0.114, -0.289, -0.467, -0.646};
+    std::string out = "Settlement (mm),q (kPa),Specimen volume change (cm3)\n";
+    int row = 0;
+    for (const double volume : volumes) {
+      out += fmt::format("{:.1f},{:.1f},{:.3f}\n", 1.0 * row, q_of(row), sign * volume);
+      ++row;
+      if (volume != 0.456) continue;
+      for (int i = 0; i < 3; ++i, ++row)
+        out += fmt::format("{:.1f},{:.1f},{}\n", 1.0 * row, q_of(row), second);
+    }
+    return out;
+  };
+  for (const double sign : {1.0, -1.0}) {
+    const auto proposal = proposal_of(text(sign, "#DIV/0!"));
+    CHECK(proposal.meaning.of("volume_change")->reading.sign == sign);
+    CHECK_FALSE(asks(proposal, "sign of Specimen volume change"));
+  }
+  const auto noisy =
+      proposal_of(table("Settlement (mm),q (kPa),Specimen volume change (cm3)", [](int i) {
+        return fmt::format("{:.1f},{:.1f},{:.3f}", 1.0 * i, q_of(i),
+                           i % 2 == 0 ? 0.01 * i : -0.01 * i);
+      }));
+  CHECK(asks(noisy, "sign of Specimen volume change"));
+}

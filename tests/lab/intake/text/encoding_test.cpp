@@ -68,6 +68,7 @@ TEST_CASE("Encoding: code pages are found by their letters") {
       {"Ci\x9Cnienie;Odkszta\xB3"
        "cenie\n1;2\n",
        "Ciśnienie;Odkształcenie\n1;2\n"},
+      {"q,str,area\n[kPa],[\x89],[mm\xB2]\n1,2,3\n", "q,str,area\n[kPa],[‰],[mm²]\n1,2,3\n"},
       {"Bo\xFEluk suyu bas\xFDnc\xFD\n1\n", "Boşluk suyu basıncı\n1\n"}};
   for (const auto& [bytes, text] : texts) {
     INFO(text);
