@@ -30,8 +30,9 @@ struct Evidence {
   std::optional<FallWork> fall_work;  ///< its second-order work, where readings prove it
   std::optional<Finding> control_peak;
   bool turned_at_held_q = false;  ///< control_peak is the turn of the volume, or of u, at held q
-  /// At held q the volume contracts, or u rises, while p′ falls at the last readings of the record.
-  std::optional<Instant> turned_at_end;
+  /// Second-order work is negative at the last readings of the record: softens_at_end(), at
+  /// constant q contracts_at_end().
+  std::optional<Instant> negative_at_end;
   /// At held q with the valve closed the measured volume stands still and second-order work is zero
   /// within its error until q is lost; the pore pressure, gauge of the volume, gives the onset.
   bool volume_by_pore_pressure = false;

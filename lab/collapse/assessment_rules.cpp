@@ -255,9 +255,9 @@ bool ends_past_the_onset(const Evidence& e, const Collapse& c) {
          !is_on_limit(e, onset_of(*fall, e.has_time));
 }
 
-bool ends_as_the_volume_turns(const Evidence& e, const Collapse& c) {
-  return !c.detected() && !c.onset && !ends_past_the_onset(e, c) && e.turned_at_end &&
-         !is_on_limit(e, *e.turned_at_end);
+bool ends_with_negative_work(const Evidence& e, const Collapse& c) {
+  return !c.detected() && !c.onset && !ends_past_the_onset(e, c) && e.negative_at_end &&
+         !is_cyclic(e) && !is_on_limit(e, *e.negative_at_end);
 }
 
 /// |q| fell by much while the axial strain stood: who knows whether the specimen did.
@@ -474,17 +474,17 @@ constexpr auto kRules = std::to_array<AssessmentRule>({
                            "lost",
                            e.latest->strength_loss() * 100));
          }},
-    {.name = "end as the volume turns",
-     .condition = "no collapse and no failure; at constant q second-order work is negative in the "
-                  "last readings, not on the limit surface",
+    {.name = "negative work at the end",
+     .condition =
+         "no collapse, no failure and no cyclic test; second-order work is negative in the "
+         "last readings, not on the limit surface",
      .result = "not assessed after that reading",
      .applies = [](const Evidence& e,
-                   const Draft& d) { return ends_as_the_volume_turns(e, d.collapse); },
+                   const Draft& d) { return ends_with_negative_work(e, d.collapse); },
      .apply =
          [](const Evidence& e, Draft& d) {
-           d.collapse.end_at(
-               e.turned_at_end->reading,
-               "second-order work at constant q is negative in the last readings of the record");
+           d.collapse.end_at(e.negative_at_end->reading,
+                             "second-order work is negative in the last readings of the record");
          }},
     {.name = "loss at a constant strain",
      .condition = "no runaway; before any onset q fell by more than relaxation while the axial "

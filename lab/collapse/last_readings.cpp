@@ -94,6 +94,27 @@ bool contracts_at_end(std::span<const PathSample> samples, bool drained) {
          p_eff->rate < -kSure * p_eff->rate_error;
 }
 
+bool softens_at_end(std::span<const PathSample> samples) {
+  constexpr double kMovesOn = 0.5;
+  using Signal = PathSample::Signal;
+  std::size_t of = 0;
+  const auto axial = best_at_last(samples, Signal::axial_strain, of);
+  if (!axial) return false;
+  const double way =
+      samples.back().signal[Signal::axial_strain] - samples.front().signal[Signal::axial_strain];
+  const double mean_rate = way / static_cast<double>(samples.size() - 1);
+  if (!(axial->rate / mean_rate >= kMovesOn)) return false;
+  const auto volume = best_at_last(samples, Signal::volumetric_strain, of);
+  const auto q = best_at_last(samples, Signal::q, of);
+  const auto p_eff = best_at_last(samples, Signal::p_eff, of);
+  const double shear = axial->rate - volume->rate / 3;
+  const double work = q->rate * shear + p_eff->rate * volume->rate;
+  const double error = std::hypot(shear * q->rate_error, q->rate * axial->rate_error,
+                                  volume->rate * p_eff->rate_error) +
+                       std::fabs((p_eff->rate - q->rate / 3) * volume->rate_error);
+  return work < -ChangePoint::kSignificance * error;
+}
+
 Turned may_have_turned(std::span<const PathSample> samples, PathSample::Signal signal) {
   Turned turned;
   const auto best = best_at_last(samples, signal, turned.of);

@@ -113,7 +113,7 @@ struct CollapseMonitor::Impl {
   std::optional<Nearest> nearest;
   std::optional<double> told_onset;
   bool turn_reported = false;
-  std::optional<Instant> turned_at_end;  ///< of the stage that ended last
+  std::optional<Instant> negative_at_end;  ///< of the stage that ended last
 };
 
 CollapseMonitor::CollapseMonitor(const RecordHeader& header, CollapseListeners listeners)
@@ -383,18 +383,17 @@ void CollapseMonitor::Impl::report_onset(const Instant& at, bool failed, std::st
                .detail = std::move(detail)});
 }
 
-/// Whether the volume, or its gauge, has turned by the last readings while q is held, which may be
-/// too few for a window.
+/// Whether second-order work is negative in the last readings, which may be too few for a window.
 void CollapseMonitor::Impl::look_at_end() {
-  turned_at_end.reset();
-  if (!held_q || control.found()) return;
+  negative_at_end.reset();
+  if (control.found() || (drained && !held_q && !loop_of_volume)) return;
   constexpr double kReadings = 64;
   const auto last = history.between(history.last_reading() - kReadings, history.last_reading());
-  if (!contracts_at_end(last, drained)) return;
+  if (!(held_q ? contracts_at_end(last, drained) : softens_at_end(last))) return;
   const auto& s = last.back().signal;
-  turned_at_end = Instant{.reading = std::llround(s[PathSample::Signal::reading]),
-                          .q_pa = s[PathSample::Signal::q],
-                          .p_eff_pa = s[PathSample::Signal::p_eff]};
+  negative_at_end = Instant{.reading = std::llround(s[PathSample::Signal::reading]),
+                            .q_pa = s[PathSample::Signal::q],
+                            .p_eff_pa = s[PathSample::Signal::p_eff]};
 }
 
 void CollapseMonitor::interrupt() { impl_->stage.reset(); }
@@ -419,7 +418,7 @@ Collapse CollapseMonitor::Impl::verdict_so_far() const {
                            .fall_work = burst ? burst->work : std::nullopt,
                            .control_peak = peak_of_control,
                            .turned_at_held_q = control_peak.turned(),
-                           .turned_at_end = turned_at_end,
+                           .negative_at_end = negative_at_end,
                            .volume_by_pore_pressure = held_undrained,
                            .states = watched_states,
                            .points = points,

@@ -342,13 +342,13 @@ const std::map<std::string_view, std::function<Case()>>& cases() {
                      {.worst = over, .latest = over, .points = 50, .limit = s},
                      "none, onset -, loss of control -"};
        }},
-      {"end as the volume turns",
+      {"negative work at the end",
        [=, &s] {
          const Instant last{.reading = 40, .q_pa = 60e3, .p_eff_pa = 100e3};
          const Instant on_limit{.reading = 40, .q_pa = 127e3, .p_eff_pa = 100e3};
-         return Case{{.turned_at_end = last, .points = 50, .limit = s},
+         return Case{{.negative_at_end = last, .points = 50, .limit = s},
                      "none, not assessed, until 40, onset -, loss of control -",
-                     {.turned_at_end = on_limit, .points = 50, .limit = s},
+                     {.negative_at_end = on_limit, .points = 50, .limit = s},
                      "none, onset -, loss of control -"};
        }},
       {"loss at a constant strain",

@@ -318,15 +318,15 @@ TEST_CASE("verdict: a record that ends past its onset is not assessed") {
   CHECK(with(on_limit).judged);
 }
 
-TEST_CASE("verdict: a record that ends as the volume turns at held q is not assessed") {
+TEST_CASE("assess: a record that ends with negative work is not assessed") {
   const LimitSurface limit = sand();
   const auto with = [&](double q) {
     const Instant last{.reading = 40, .q_pa = q, .p_eff_pa = 100e3};
-    return assess({.turned_at_end = last, .points = 50, .limit = limit});
+    return assess({.negative_at_end = last, .points = 50, .limit = limit});
   };
   CHECK_FALSE(with(60e3).judged);
   CHECK(with(60e3).judged_until == 40);
-  CHECK_THAT(with(60e3).judged_until_reason, Catch::Contains("at constant q is negative"));
+  CHECK_THAT(with(60e3).judged_until_reason, Catch::Contains("negative in the last readings"));
   CHECK(with(127e3).judged);  // dense sand on its limit
 }
 

@@ -115,3 +115,43 @@ TEST_CASE("contracts_at_end: noise is no turn") {
         held_samples(64, [&](double i) { return 300e3 + 200 * noise(i + 1000 * trial); }), false);
   CHECK(found <= 4);
 }
+
+namespace {
+
+/// Undrained, by displacement: q over the readings 0 to count − 1, with some noise.
+std::vector<PathSample> frame_samples(int count, const std::function<double(double)>& q,
+                                      const std::function<double(double)>& strain) {
+  auto samples = samples_of(count, q);
+  for (int i = 0; i < count; ++i) {
+    auto& s = samples[static_cast<std::size_t>(i)].signal;
+    s[PathSample::q] += 5 * noise(i);
+    s[PathSample::axial_strain] = strain(i) + 1e-6 * noise(i + 1000);
+    s[PathSample::p_eff] = 1e5 - 500 * i + 5 * noise(i + 2000);
+    s[PathSample::volumetric_strain] = 1e-8 * noise(i + 3000);
+  }
+  return samples;
+}
+
+}  // namespace
+
+TEST_CASE("softens_at_end: a peak of q a few readings before the end is enough") {
+  const auto strain = [](double i) { return 1e-4 * i; };
+  const auto peak_at = [](double top) {
+    return [top](double i) { return 1e5 - 20 * (i - top) * (i - top); };
+  };
+  CHECK(softens_at_end(frame_samples(40, peak_at(34), strain)));
+  CHECK_FALSE(softens_at_end(frame_samples(40, peak_at(39), strain)));  // it ends there
+  CHECK_FALSE(softens_at_end(frame_samples(40, peak_at(60), strain)));
+  CHECK_FALSE(softens_at_end(frame_samples(5, peak_at(2), strain)));
+  // In extension q and the strain change their signs, and the work does not.
+  const auto extended = [&](double i) { return -peak_at(34)(i); };
+  CHECK(softens_at_end(frame_samples(40, extended, [](double i) { return -1e-4 * i; })));
+}
+
+TEST_CASE("softens_at_end: unloading and relaxation are no softening") {
+  const auto falls = [](double i) { return i < 34 ? 1e5 : 1e5 - 3000 * (i - 34); };
+  const auto back = [](double i) { return i < 34 ? 1e-4 * i : 1e-4 * (68 - i); };
+  const auto rests = [](double i) { return 1e-4 * std::min(i, 34 + 0.05 * (i - 34)); };
+  CHECK_FALSE(softens_at_end(frame_samples(40, falls, back)));
+  CHECK_FALSE(softens_at_end(frame_samples(40, falls, rests)));
+}
