@@ -85,28 +85,26 @@ std::optional<AtLast> best_at_last(std::span<const PathSample> samples, PathSamp
 
 bool contracts_at_end(std::span<const PathSample> samples, bool drained) {
   constexpr double kSure = ChangePoint::kSignificance;
-  using Signal = PathSample::Signal;
   std::size_t of = 0;
-  const auto volume =
-      best_at_last(samples, drained ? Signal::volumetric_strain : Signal::pore_pressure, of);
-  const auto p_eff = best_at_last(samples, Signal::p_eff, of);
+  const auto volume = best_at_last(
+      samples, drained ? PathSample::volumetric_strain : PathSample::pore_pressure, of);
+  const auto p_eff = best_at_last(samples, PathSample::p_eff, of);
   return volume && volume->rate > kSure * volume->rate_error &&
          p_eff->rate < -kSure * p_eff->rate_error;
 }
 
 bool softens_at_end(std::span<const PathSample> samples) {
   constexpr double kMovesOn = 0.5;
-  using Signal = PathSample::Signal;
   std::size_t of = 0;
-  const auto axial = best_at_last(samples, Signal::axial_strain, of);
+  const auto axial = best_at_last(samples, PathSample::axial_strain, of);
   if (!axial) return false;
-  const double way =
-      samples.back().signal[Signal::axial_strain] - samples.front().signal[Signal::axial_strain];
+  const double way = samples.back().signal[PathSample::axial_strain] -
+                     samples.front().signal[PathSample::axial_strain];
   const double mean_rate = way / static_cast<double>(samples.size() - 1);
   if (!(axial->rate / mean_rate >= kMovesOn)) return false;
-  const auto volume = best_at_last(samples, Signal::volumetric_strain, of);
-  const auto q = best_at_last(samples, Signal::q, of);
-  const auto p_eff = best_at_last(samples, Signal::p_eff, of);
+  const auto volume = best_at_last(samples, PathSample::volumetric_strain, of);
+  const auto q = best_at_last(samples, PathSample::q, of);
+  const auto p_eff = best_at_last(samples, PathSample::p_eff, of);
   const double shear = axial->rate - volume->rate / 3;
   const double work = q->rate * shear + p_eff->rate * volume->rate;
   const double error = std::hypot(shear * q->rate_error, q->rate * axial->rate_error,
@@ -136,12 +134,11 @@ std::pair<double, double> mean_rate(std::span<const PathSample> part) {
   double x = 0, q = 0;
   for (const PathSample& s : part) {
     x += s.signal[PathSample::Signal::reading] / n;
-    q += s.signal[PathSample::Signal::q] / n;
+    q += s.signal[PathSample::q] / n;
   }
   double xx = 0, xq = 0, qq = 0;
   for (const PathSample& s : part) {
-    const double dx = s.signal[PathSample::Signal::reading] - x,
-                 dq = s.signal[PathSample::Signal::q] - q;
+    const double dx = s.signal[PathSample::Signal::reading] - x, dq = s.signal[PathSample::q] - q;
     xx += dx * dx;
     xq += dx * dq;
     qq += dq * dq;

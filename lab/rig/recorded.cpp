@@ -227,12 +227,15 @@ void RecordedRig::Impl::settle_cell_pressure() {
     throw BadInput(layout.file, layout.heading_line, joined({missing, layout.ignored}, "; "));
 }
 
-/// Raw channels need the dimensions of the specimen. Without them, the strains and stresses of the
-/// file are used if it has them.
+/// Raw channels need the dimensions of the specimen and a pore pressure. Without them, the strains
+/// and stresses of the file are used if it has them.
 void RecordedRig::Impl::settle_channels() {
   const SpecimenInfo& specimen = header.specimen;
   const bool has_dimensions = specimen.height_m && specimen.diameter_m;
-  if (!header.is_raw() || has_dimensions || layout.dialect.own_headings) return;
+  const bool has_pore_pressure = header.has(Quantity::pore_pressure) ||
+                                 header.has(Quantity::back_pressure) || header.is_total_stress();
+  const bool suffices = has_dimensions && has_pore_pressure;
+  if (!header.is_raw() || suffices || layout.dialect.own_headings) return;
   auto reduced = header.columns;
   std::erase(reduced, Quantity::axial_force);
   std::erase(reduced, Quantity::axial_displacement);
@@ -244,8 +247,12 @@ void RecordedRig::Impl::settle_channels() {
   });
   header.warnings.push_back(
       {layout.heading_line,
-       "the file does not state height and diameter: its strains and stresses are used, not its "
-       "displacement and force; otherwise --set specimen.height_mm=... and specimen.diameter_mm"});
+       has_dimensions
+           ? "the file has no pore pressure: its strains and stresses are used, not its "
+             "displacement and force"
+           : "the file does not state height and diameter: its strains and stresses are used, not "
+             "its displacement and force; otherwise --set specimen.height_mm=... and "
+             "specimen.diameter_mm"});
 }
 
 /// The only stage of a record that does not say whether it was drained: its readings may, else the

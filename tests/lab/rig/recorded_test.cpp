@@ -57,6 +57,20 @@ TEST_CASE("RecordedRig: without dimensions the stresses of the file are used") {
   CHECK(open_text(rows, options)->header().is_raw());
 }
 
+TEST_CASE("RecordedRig: without a pore pressure the stresses of the file are used") {
+  const std::string rows =
+      "Axial displacement (mm),Axial force (kN),Cell pressure (kPa),Axial strain (mm/mm),"
+      "Effective axial stress (kPa),Effective radial stress (kPa)\n"
+      "0,0,300,0,100,100\n0.5,0.1,300,0.005,130,90\n1,0.15,300,0.01,140,80\n";
+  RecordOptions options;
+  options.sets = {{"specimen.height_mm", "100"}, {"specimen.diameter_mm", "50"}};
+  const auto reduced = open_text(rows, options);
+  CHECK_FALSE(reduced->header().is_raw());
+  CHECK(std::ranges::any_of(reduced->header().warnings, [](const Warning& one) {
+    return one.text.find("has no pore pressure") != std::string::npos;
+  }));
+}
+
 TEST_CASE("the digest is of all bytes of the record and of nothing else") {
   const auto digest = [](const std::string& text, const RecordOptions& options = {}) {
     return open_text(text, options)->header().digest;
