@@ -32,6 +32,42 @@ double noise_of(const std::vector<double>& rows) {
   return bends.empty() ? 0 : median(std::move(bends));
 }
 
+/// Values of a volume from the row before the axis first moves.
+struct CommonCourse {
+  std::vector<double> values;
+  std::size_t early_count = 0;  ///< of the values, before the specimen can have dilated
+};
+
+/// `series`: the volume and the axis, or the volume alone, all of which counts. Water that flows in
+/// before the axis moves (saturation) fills the pores and is no change of the specimen.
+CommonCourse course_of_movement(SeriesSpan series) {
+  // In a test to 20 %: a strain of 0.05 %, more than of saturation and less than of consolidation.
+  constexpr double kMoved = 0.0025;
+  // And 1 %: before that, no shear dilates a specimen by more than it contracted it.
+  constexpr double kEarly = 0.05;
+  constexpr double kRelevant = 3;
+  CommonCourse out;
+  std::vector<double> axis;
+  for (std::size_t row = 0; row < series[0]->values.size(); ++row) {
+    if (!is_complete(series, row)) continue;
+    out.values.push_back(series[0]->values[row]);
+    if (series.size() > 1) axis.push_back(series[1]->values[row]);
+  }
+  if (axis.empty()) return out;
+  const double travel = std::fabs(farthest_change(axis));
+  const auto is_beyond = [&](double fraction) {
+    const double limit = std::max(kRelevant * series[1]->half_unit, fraction * travel);
+    return [&axis, limit](double value) { return std::fabs(value - axis.front()) > limit; };
+  };
+  const auto moved = std::ranges::find_if(axis, is_beyond(kMoved));
+  if (moved == axis.end()) return {};
+  const auto start = std::max<std::ptrdiff_t>(moved - axis.begin() - 1, 0);
+  out.values.erase(out.values.begin(), out.values.begin() + start);
+  const auto early_end = std::find_if(moved, axis.end(), is_beyond(kEarly));
+  out.early_count = static_cast<std::size_t>(early_end - axis.begin() - start);
+  return out;
+}
+
 bool are_whole(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double value) { return value == std::round(value); });
 }
@@ -73,16 +109,24 @@ double compression_evidence(const Identity& identity, SeriesSpan s,
 double first_contraction_evidence(const Identity& identity, SeriesSpan s,
                                   const SpecimenValues& /*specimen*/) {
   constexpr double kRelevant = 3, kFraction = 0.04;
-  const auto values = known_values(*s[0]);
+  const CommonCourse course = course_of_movement(s);
+  const std::vector<double>& values = course.values;
   if (values.size() <= kMinRows) return 0;
   const double range = std::fabs(farthest_change(values));
   const double rounding = std::max(s[0]->half_unit, noise_of(s[0]->values));
   if (range <= 2 * kRelevant * rounding) return 0;
-  const auto first = std::ranges::find_if(values, [&](double value) {
-    return std::fabs(value - values.front()) > std::max(kRelevant * rounding, kFraction * range);
-  });
+  const double relevant = std::max(kRelevant * rounding, kFraction * range);
+  const auto first = std::ranges::find_if(
+      values, [&](double value) { return std::fabs(value - values.front()) > relevant; });
   if (first == values.end()) return 0;
-  return identity.factor * (*first - values.front()) > 0 ? identity.highest : identity.lowest;
+  const double change = *first - values.front();
+  const auto early_end = values.begin() + static_cast<std::ptrdiff_t>(course.early_count);
+  const bool is_contradicted =
+      first < early_end && std::any_of(first, early_end, [&](double value) {
+        return std::copysign(1.0, change) * (values.front() - value) > relevant;
+      });
+  if (is_contradicted) return 0;
+  return identity.factor * change > 0 ? identity.highest : identity.lowest;
 }
 
 double start_at_zero_evidence(const Identity& identity, SeriesSpan s,

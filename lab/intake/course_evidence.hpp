@@ -9,8 +9,9 @@ namespace triax::lab {
 EvidenceFunction common_direction_evidence;
 /// The largest magnitude is positive.
 EvidenceFunction compression_evidence;
-/// The first change has the sign of the factor: a specimen contracts first, also one that dilates
-/// later.
+/// The first change of the volume has the sign of the factor: a specimen contracts first, also one
+/// that dilates later. With an axis as second series, changes before it moves do not count, and
+/// there is no evidence if the volume changes in both directions before the specimen is sheared.
 EvidenceFunction first_contraction_evidence;
 /// The first value is 0.
 EvidenceFunction start_at_zero_evidence;

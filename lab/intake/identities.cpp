@@ -24,6 +24,7 @@ constexpr const char* kCell = "cell_pressure";
 constexpr const char* kEffectiveAxial = "effective_axial_stress";
 constexpr const char* kEffectiveRadial = "effective_radial_stress";
 constexpr const char* kStrain = "axial_strain";
+constexpr const char* kDisplacement = "axial_displacement";
 constexpr const char* kVolume = "volumetric_strain";
 constexpr const char* kRadialStrain = "radial_strain";
 
@@ -148,8 +149,8 @@ void add_paths(std::vector<Identity>& all) {
 void add_strains(std::vector<Identity>& all) {
   all.push_back(sum("ε_v = ε_1 + 2 ε_3", {{kVolume, 1}, {kStrain, -1}, {kRadialStrain, -2}}));
   all.push_back(sum("ε_q = ε_1 − ε_v/3", {{"shear_strain", 1}, {kStrain, -1}, {kVolume, 1. / 3}}));
-  all.push_back(proportion("displacement = height · ε_1", {"axial_displacement", kStrain},
-                           height_evidence, 20, 700, -4, 8));
+  all.push_back(proportion("displacement = height · ε_1", {kDisplacement, kStrain}, height_evidence,
+                           20, 700, -4, 8));
   all.push_back(proportion("height = H0 (1 − ε_1)", {"specimen_height", kStrain}, height_evidence,
                            20, 700, -4, 8));
   all.back().factor = -1;
@@ -190,8 +191,20 @@ void add_forces(std::vector<Identity>& all) {
                            quotient_evidence, 0.95, 1.05, -4, 8));
 }
 
+/// Beside the axis if there is one.
+void add_first_contraction(std::vector<Identity>& all, const char* volume, double sign) {
+  const auto add = [&](QuantityNames quantities, QuantityNames unless) {
+    all.push_back(course("the specimen contracts first", std::move(quantities),
+                         first_contraction_evidence, -2, 2, sign));
+    all.back().unless = std::move(unless);
+  };
+  add({volume, kStrain}, {});
+  add({volume, kDisplacement}, {kStrain});
+  add({volume}, {kStrain, kDisplacement});
+}
+
 void add_courses(std::vector<Identity>& all) {
-  for (const char* deformation : {kStrain, "axial_displacement"})
+  for (const char* deformation : {kStrain, kDisplacement})
     for (const char* load : {kQ, kT, "axial_force"})
       all.push_back(course("load and deformation grow together", {deformation, load},
                            common_direction_evidence, -1.5, 1.5));
@@ -203,8 +216,7 @@ void add_courses(std::vector<Identity>& all) {
     all.push_back(course("the deviator begins at 0", {deviator}, start_at_zero_evidence, -1.5, 0));
   for (const auto& [volume, sign] :
        {std::pair{kVolume, 1.0}, std::pair{"volume_change", 1.0}, std::pair{"back_volume", -1.0}})
-    all.push_back(
-        course("the specimen contracts first", {volume}, first_contraction_evidence, -2, 2, sign));
+    add_first_contraction(all, volume, sign);
   for (const char* total : {kRadial, kCell})
     all.push_back(course("σ3 is above u", {total, kU}, order_evidence, -6, 0.5));
   all.push_back(
@@ -214,8 +226,8 @@ void add_courses(std::vector<Identity>& all) {
   all.push_back(course("σ1′/σ3′ begins above 0", {"principal_stress_ratio"},
                        start_above_zero_evidence, -4, 0.5));
   all.push_back(course("strain is 1.5 to 100 %", {kStrain}, strain_range_evidence, -3, 0));
-  all.push_back(course("displacement reaches 0.5 mm", {"axial_displacement"},
-                       displacement_range_evidence, -3, 0));
+  all.push_back(
+      course("displacement reaches 0.5 mm", {kDisplacement}, displacement_range_evidence, -3, 0));
   all.push_back(
       course("volume change reaches 50 mm³", {"volume_change"}, volume_range_evidence, -3, 0));
   all.push_back(course("time runs", {"time"}, one_direction_evidence, -6, 1.5));

@@ -253,3 +253,41 @@ TEST_CASE("propose: the sign of a volume change is decided across a gap, or aske
       }));
   CHECK(asks(noisy, "sign of Specimen volume change"));
 }
+
+namespace {
+
+/// Saturation with water flowing in, consolidation and undrained shear. `moved_mm` is how far the
+/// axis moves in saturation.
+std::string saturated_test(const char* volume_heading, double sign, double moved_mm,
+                           const char* axis_heading = "Axial displacement (mm)") {
+  std::string out =
+      fmt::format("{},Cell pressure (kPa),u (kPa),{},q (kPa)\n", axis_heading, volume_heading);
+  const auto add = [&](double axis, double cell, double u, double volume, double q) {
+    out += fmt::format("{:.4f},{:.1f},{:.1f},{:.0f},{:.2f}\n", axis, cell, u, sign * volume, q);
+  };
+  for (int i = 0; i < 20; ++i) add(moved_mm * i / 19, 30 + 17.0 * i, 20 + 15.0 * i, -47.0 * i, 0);
+  for (int i = 0; i < 20; ++i) {
+    const double f = 1 - std::exp(-0.3 * i);
+    add(moved_mm + 0.46 * f, 400, 360 - 60 * f, -893 + 4300 * f, 0);
+  }
+  for (int i = 0; i < 60; ++i)
+    add(moved_mm + 0.46 + 0.45 * i, 400, 100 + u_of(i), 3392, 60 * std::tanh(0.2 * i));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("propose: water that flows in in saturation does not decide the sign of a volume") {
+  const char* const volume = "Volume change (mm3)";
+  for (const double sign : {1.0, -1.0}) {
+    for (const char* axis : {"Axial displacement (mm)", "Axial strain (%)"}) {
+      const auto found = proposal_of(saturated_test(volume, sign, 0.02, axis));
+      CHECK(found.meaning.of("volume_change")->reading.sign == sign);
+      CHECK_FALSE(asks(found, "sign of Volume change"));
+    }
+    // The axis moves in saturation, too, so that the readings contradict each other.
+    CHECK(asks(proposal_of(saturated_test(volume, sign, 0.2)), "sign of Volume change"));
+  }
+  const auto back = proposal_of(saturated_test("Back volume (mm3)", -1, 0.02));
+  CHECK(back.meaning.of("back_volume")->reading.sign == 1);
+}
