@@ -59,8 +59,10 @@ class ClockCells {
  private:
   static constexpr std::size_t kMaxKeptSize = std::size_t{1} << 14, kMaxCellSize = 80;
 
-  /// A line that is no text ends the sample; the reader of the rows reports it.
+  /// Up to the last line of the rows. A line that is no text ends the sample; the reader of the
+  /// rows reports it.
   bool next(std::string_view& line) {
+    if (layout_.last_row_line > 0 && lines_.line_number() >= layout_.last_row_line) return false;
     try {
       return lines_.next(line);
     } catch (const BadInput&) {

@@ -172,3 +172,11 @@ TEST_CASE("find_clocks: words of overload are missing and counted", "[records]")
   CHECK_THAT(read.warnings[0].text, Catch::Contains("'q (kPa)' has no value ('OVLD')") &&
                                         Catch::Contains("3 more, the last in line 6"));
 }
+
+TEST_CASE("find_clocks: text below the rows is no cell of a date", "[records]") {
+  const auto read = read_times(
+      "date = { column = 1, date_order = \"year first\" }\ntime_of_day = { column = 2 }\n",
+      "Date,Time,e (%),q (kPa),s (kPa)\n2023-11-08,09:30:00,0,5,100\n,09:31:00,0.1,6,100\n"
+      ",09:32:00,0.2,7,100\n\nFailure: max. stress,,,,\nOperator: RT,Checked: AM,,,\n");
+  CHECK(read.times == Times{0, 60, 120});
+}
