@@ -325,6 +325,25 @@ HeadingRows find_listed_names(const TableSample& sample, const RowModel& rows) {
   return out;
 }
 
+/// The units of a line farther above that names them: "Y_Unit_Label;N;mm;kPa" in the header of
+/// LabVIEW, with the name above the column of the time.
+void add_named_units(HeadingRows& headings, const TableSample& sample, const RowModel& rows) {
+  if (headings.unit_line || headings.lines.empty() || character(rows.separator) == 0) return;
+  for (std::size_t i = headings.top; i-- > 0;) {
+    const auto line = split_line(sample.line(i), i, rows.separator, rows.width);
+    if (line.cells.size() < 3 || line.cells.size() > rows.width) continue;
+    const std::string name = folded(line.cells.front());
+    if (name.find("unit") == std::string::npos || has_unit_form(name)) continue;
+    const auto is_unit = [](std::string_view cell) { return cell.empty() || has_unit_form(cell); };
+    if (!std::all_of(line.cells.begin() + 1, line.cells.end(), is_unit)) continue;
+    headings.unit_line = i;
+    headings.units.assign(line.cells.begin(), line.cells.end());
+    headings.units.front().clear();
+    headings.units.resize(rows.width);
+    return;
+  }
+}
+
 }  // namespace
 
 bool has_unit_form(std::string_view cell) {
@@ -362,6 +381,7 @@ HeadingRows find_heading_rows(const TableSample& sample, const RowModel& rows) {
   if (auto listed = find_listed_names(sample, rows); !listed.lines.empty()) return listed;
   auto best = HeadingSearch(sample, rows, rows.separator).run(false);
   if (best.lines.empty()) best = HeadingSearch(sample, rows, rows.separator).run(true);
+  add_named_units(best, sample, rows);
   if (!best.lines.empty()) return best;
   for (const auto separator : kOthers) {
     if (separator == rows.separator) continue;

@@ -11,9 +11,9 @@
 namespace triax::lab {
 
 struct HeadingRows {
-  std::vector<std::size_t> lines;  ///< of the sample, ascending
-  std::optional<std::size_t> unit_line;
-  std::size_t top = 0;  ///< first line of names, units or what belongs to them
+  std::vector<std::size_t> lines;        ///< of the sample, ascending
+  std::optional<std::size_t> unit_line;  ///< can be above `top` if it is named "units"
+  std::size_t top = 0;                   ///< first line of names, units or what belongs to them
   /// Cells of each of `lines`, one per column; one list for names that are below each other.
   std::vector<std::vector<std::string>> cells;
   std::vector<std::string> units;  ///< one per column; empty without a unit line

@@ -51,3 +51,20 @@ TEST_CASE("Heading rows: none above numbers") {
   CHECK(headings_of("0,1,2\n1,2,3\n").lines.empty());
   CHECK(headings_of("a remark\n0,1,2\n1,2,3\n").lines.empty());
 }
+
+TEST_CASE("Heading rows: a line above the table that names units has those of the columns") {
+  const std::string header =
+      "Channels,3\n{}\nX_Dimension,Time,Time,Time\nX0,0,0,0\n***End_of_Header***\n"
+      "X_Value,Load cell,LVDT,PWP,Comment\n0.0,0.9,0.001,300.1,start\n15.0,0.3,0.005,300.4,\n"
+      "30.0,0.2,0.011,300.5,\n";
+  const auto with = [&](const char* line) {
+    std::string text = header;
+    return text.replace(text.find("{}"), 2, line);
+  };
+  const auto found = headings_of(with("Y_Unit_Label,N,mm,kPa"));
+  CHECK(found.lines == Indices{5});
+  CHECK(found.unit_line == 1U);
+  CHECK(found.units == std::vector<std::string>{"", "N", "mm", "kPa", ""});
+  for (const char* other : {"Y_Unit_Label,Newton meter,mm,kPa", "Operator,N,mm,kPa", "Unit,kN"})
+    CHECK_FALSE(headings_of(with(other)).unit_line);
+}
