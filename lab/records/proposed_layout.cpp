@@ -16,6 +16,8 @@
 #include "lab/intake/gauge_columns.hpp"
 #include "lab/intake/labels_above.hpp"
 #include "lab/intake/names/record_units.hpp"
+#include "lab/intake/text/number_cell.hpp"
+#include "lab/intake/text/row_model.hpp"
 #include "lab/records/column_plan.hpp"
 
 namespace triax::lab {
@@ -312,14 +314,17 @@ std::string without_digits(std::string_view line) {
   return out;
 }
 
-/// The first line above the table that is about its first test only: one with a label that a later
-/// test has too, or a title that a later test has with another number ("Test 1").
+/// The first line above the table that is about its first test only: the last one with a label that
+/// a later test has too, or a title that a later test has with another number ("Test 1").
 std::int64_t first_own_line(const TableLayout& layout, const std::vector<LabelValue>& of_later,
                             const std::vector<std::string>& lines_of_later) {
   auto first = static_cast<std::int64_t>(layout.head.size()) + 1;
-  for (const LabelValue& label : layout.labels)
-    if (std::ranges::find(of_later, label.name, &LabelValue::name) != of_later.end())
-      first = std::min(first, label.line);
+  for (const LabelValue& later : of_later) {
+    std::int64_t last = 0;
+    for (const LabelValue& label : layout.labels)
+      if (label.name == later.name) last = std::max(last, label.line);
+    if (last > 0) first = std::min(first, last);
+  }
   for (std::size_t i = 0; i < layout.head.size(); ++i) {
     const std::string& line = layout.head[i];
     const bool is_title_again = std::ranges::any_of(lines_of_later, [&](const std::string& later) {
@@ -331,7 +336,42 @@ std::int64_t first_own_line(const TableLayout& layout, const std::vector<LabelVa
   return std::max<std::int64_t>(first, 1);
 }
 
+/// "mode of failure" of "Mode of failure:,Barrel"; empty unless the line is one name and its value.
+std::string name_of_pair(std::string_view line, Separator separator) {
+  std::vector<std::string_view> cells = cells_of(line, separator);
+  std::erase_if(cells, [](std::string_view cell) { return cell.empty(); });
+  const bool is_one_cell = cells.size() == 1;
+  if (cells.empty() || cells.size() > 2) return {};
+  const auto colon = cells.front().find(':');
+  const bool has_value = colon != std::string_view::npos && colon + 1 < cells.front().size();
+  if (is_one_cell != has_value) return {};
+  const std::string name = folded(cells.front().substr(0, colon));
+  double number = 0;
+  const bool is_number = parse_number_cell(name, {}, number) != CellKind::text;
+  return is_number ? std::string() : name;
+}
+
+/// Lines at the begin of those below the rows of a test that are about it and not about the next
+/// one: pairs of a name and a value whose name is not above the table.
+std::size_t count_lines_of_foot(const TableLayout& layout, const std::vector<std::string>& lines) {
+  std::vector<std::string> names;
+  for (const std::string& line : layout.head)
+    names.push_back(name_of_pair(line, layout.heading_separator));
+  const auto is_of_foot = [&](const std::string& line) {
+    const std::string name = name_of_pair(line, layout.heading_separator);
+    return !name.empty() && std::ranges::find(names, name) == names.end();
+  };
+  return static_cast<std::size_t>(std::ranges::find_if_not(lines, is_of_foot) - lines.begin());
+}
+
 }  // namespace
+
+void take_lines_below(TableLayout& layout, std::vector<std::string> lines) {
+  constexpr std::size_t kMinCells = 3;  // fewer, and a row may have the form of a pair
+  if (layout.cell_count < kMinCells) return;
+  lines.resize(count_lines_of_foot(layout, lines));
+  std::ranges::move(lines, std::back_inserter(layout.head));
+}
 
 void take_labels(TableLayout& layout) {
   layout.labels = labels_above(layout.head, layout.heading_separator, layout.beside);
@@ -339,6 +379,9 @@ void take_labels(TableLayout& layout) {
 }
 
 void take_labels_between(TableLayout& layout, std::vector<std::string> lines, std::int64_t line) {
+  const std::size_t foot = count_lines_of_foot(layout, lines);
+  lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(foot));
+  line += static_cast<std::int64_t>(foot);
   std::vector<LabelValue> labels = labels_above(lines, layout.heading_separator);
   if (labels.empty()) return;
   for (LabelValue& label : labels) label.line += line - 1;

@@ -24,7 +24,10 @@ TableLayout layout_of(const Dialect& dialect, const TableStructure& structure, s
 void take_labels(TableLayout& layout);
 /// Lines between the rows of a test and those of the test above it, the first one with number
 /// `line`: if they hold labels, these replace the labels above the table that are about its first
-/// test. Those above the first line that the later test repeats are common to all tests.
+/// test. Those above the first line that the later test repeats are common to all tests. Pairs of a
+/// name and a value directly below the rows of the test above are about that test.
 void take_labels_between(TableLayout& layout, std::vector<std::string> lines, std::int64_t line);
+/// Lines directly below the rows of one of several tests: adds those about this test to the head.
+void take_lines_below(TableLayout& layout, std::vector<std::string> lines);
 
 }  // namespace triax::lab

@@ -210,9 +210,13 @@ bool LabelReader::add_cells(const NamedLabels& named, const std::vector<QString>
       return true;
     }
   }
-  if (!find_named_labels(cells[at]).labels.empty() || has_labels(cells[at]) ||
-      !add_text(named, cells[at]))
-    return false;
+  // "Specimen: B" names a specimen, not the parameter B, which would have a value behind it.
+  const bool is_letter =
+      cells[at].size() == 1 && cells[at].front().isLetter() &&
+      std::all_of(cells.begin() + static_cast<std::ptrdiff_t>(at) + 1, cells.end(),
+                  [](const QString& cell) { return cell.isEmpty(); });
+  const bool is_label = !is_letter && !find_named_labels(cells[at]).labels.empty();
+  if (is_label || has_labels(cells[at]) || !add_text(named, cells[at])) return false;
   next = at + 1;
   return true;
 }

@@ -390,6 +390,10 @@ TableLayout whole_table(ByteSource& source, const std::optional<Dialect>& forced
 
 namespace {
 
+bool is_heading(const TableLayout& layout, std::string_view line) {
+  return std::ranges::find(layout.heading_texts, line) != layout.heading_texts.end();
+}
+
 /// Labels of a test below another one.
 void take_lines_between(ByteSource& source, TableLayout& layout, const TableTest& test) {
   LineReader reader(source);
@@ -397,11 +401,22 @@ void take_lines_between(ByteSource& source, TableLayout& layout, const TableTest
   std::string_view line;
   while (reader.next(line) && reader.line_number() < test.first_line) {
     const bool is_between = reader.line_number() > test.line_before;
-    const bool is_heading =
-        std::ranges::find(layout.heading_texts, line) != layout.heading_texts.end();
-    if (is_between && !is_heading && lines.size() < kMaxHead_lines) lines.emplace_back(line);
+    if (is_between && !is_heading(layout, line) && lines.size() < kMaxHead_lines)
+      lines.emplace_back(line);
   }
   take_labels_between(layout, std::move(lines), test.line_before + 1);
+}
+
+void take_foot(ByteSource& source, TableLayout& layout, const TableTest& test) {
+  LineReader reader(source);
+  std::vector<std::string> lines;
+  std::string_view line;
+  while (lines.size() < kMaxHead_lines && reader.next(line)) {
+    if (reader.line_number() <= test.last_line) continue;
+    if (trimmed(line).empty() || is_heading(layout, line)) break;
+    lines.emplace_back(line);
+  }
+  take_lines_below(layout, std::move(lines));
 }
 
 }  // namespace
@@ -412,7 +427,10 @@ TableLayout recognise_table(ByteSource& source, const std::optional<Dialect>& fo
   layout.test = test.name;
   layout.first_row_line = std::max(layout.first_row_line, test.first_line);
   if (test.line_before > 0) take_lines_between(source, layout, test);
-  if (test.last_line > 0) layout.last_row_line = test.last_line;
+  if (test.last_line > 0) {
+    layout.last_row_line = test.last_line;
+    take_foot(source, layout, test);
+  }
   find_reversed_rows(source, layout, findings);
   return layout;
 }

@@ -172,3 +172,9 @@ TEST_CASE("find_labels: hostile cells are read in bounded time") {
   CHECK(find_labels({{"H0", "1e999"}, {"H0", "1e"}, {"H0", "."}, {"H0", "\xFF"}}).empty());
   CHECK(find_labels({std::vector<std::string>(1000, "H0")}).empty());
 }
+
+TEST_CASE("find_labels: a letter alone behind a name is its value, not a symbol") {
+  for (const char* letter : {"A", "B", "C"})
+    CHECK(label_of({{"Specimen:", letter, ""}}, "name").text == letter);
+  CHECK(label_of({{"Specimen:", "B", "0.97"}}, "b_value").value == Approx(0.97));
+}

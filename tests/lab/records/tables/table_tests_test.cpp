@@ -111,3 +111,30 @@ TEST_CASE("find_tests: a restart in the middle of a long file needs all rows") {
   CHECK(names_of(text).empty());
   CHECK(names_of(text, Extent::whole) == Names{"lines 2 to 2001", "lines 2002 to 4001"});
 }
+
+TEST_CASE("find_tests: each test has its own name, and the lines below its rows") {
+  std::string text = "Laboratory,North\nTest:,Quick undrained triaxial (UU)\n\n";
+  for (const char* name : {"A", "B", "C"})
+    text += fmt::format(
+        "Specimen:,{}\nLength (mm),76.2,Diameter (mm),38.1\n{}\n{}Mode of "
+        "failure:,barrel {}\n\n",
+        name, kHeadings, rows(20), name);
+  const auto source = open_memory("m.csv", text);
+  const auto tests = find_tests(*source, {});
+  REQUIRE(tests.size() == 3);
+  std::vector<Warning> warnings;
+  Findings findings(warnings);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string name(1, static_cast<char>('A' + i));
+    const TableLayout layout = recognise_table(*source, {}, findings, tests[i]);
+    const auto last = std::find_if(layout.labels.rbegin(), layout.labels.rend(),
+                                   [](const LabelValue& label) { return label.name == "name"; });
+    REQUIRE(last != layout.labels.rend());
+    CHECK(last->text == name);
+    CHECK(std::ranges::count(layout.labels, "programme", &LabelValue::name) == 1);
+    CHECK(layout.head.back() == "Mode of failure:,barrel " + name);
+    CHECK(std::ranges::count_if(layout.head, [](const std::string& line) {
+            return line.starts_with("Mode of failure");
+          }) == 1);
+  }
+}
