@@ -83,6 +83,17 @@ TEST_CASE("replay --interactive: Enter accepts usual units, but not the test") {
   check_nothing_stored(here, outcome);
 }
 
+TEST_CASE("replay --interactive: the unit of a force has to be typed") {
+  const Workplace here;
+  std::string table = kRaw;
+  table.replace(table.find("Load (kN)"), 9, "Axial force");
+  const Outcome outcome = talk(here, table, "\n\nkN\n100\n50\ny\n");
+  CHECK(outcome.status == 0);
+  CHECK(shows(outcome.out, "does not contain this unit"));
+  CHECK_FALSE(shows(outcome.out, "answer []"));
+  CHECK(shows(outcome.out, "0.00 % to 3.00 %"));
+}
+
 TEST_CASE("replay --interactive: height and diameter are asked until they are typed") {
   const Workplace here;
   const Outcome outcome = talk(here, kRaw, "100\n\n50\ny\n");

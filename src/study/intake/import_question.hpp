@@ -31,7 +31,7 @@ struct ImportQuestion {
   std::string text;                   ///< "unit of 'Time'"
   std::string explanation;            ///< one or two sentences
   std::vector<ImportAnswer> answers;  ///< empty: a number in `unit`
-  std::string usual;                  ///< value of the usual answer
+  std::string usual;                  ///< value of the usual answer; empty: one has to be typed
   std::string key{};                  ///< of a value: that of an AskedValue
   std::string unit{};                 ///< of a number
 };

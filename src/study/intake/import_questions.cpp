@@ -2,6 +2,7 @@
 #include "src/study/intake/import_questions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -46,6 +47,20 @@ bool is_programme_open(const lab::Proposal& proposal, const ImportChoices& choic
          !proposal.label("back_pressure") && lab::is_without_pore_pressure(proposal);
 }
 
+/// Without a usual answer if several units are equally usual, and results in a wrong one are
+/// impossible: kN or N, mm³ or cm³.
+std::optional<ImportQuestion> open_unit_question(const lab::Proposal& proposal,
+                                                 const ImportChoices& choices,
+                                                 std::size_t position) {
+  constexpr std::array kOpen{"force", "volume", "area"};
+  auto out = unit_question(proposal, choices, position);
+  const auto column = std::ranges::find(choices.columns, position, &ColumnChoice::position);
+  if (!out || column == choices.columns.end()) return out;
+  const auto* const quantity = lab::find_lexicon_quantity(column->quantity);
+  if (quantity && std::ranges::find(kOpen, quantity->dimension) != kOpen.end()) out->usual.clear();
+  return out;
+}
+
 std::optional<ImportQuestion> question_for(const lab::Proposal& proposal,
                                            const ImportChoices& choices,
                                            const lab::TableQuestion& question) {
@@ -53,7 +68,7 @@ std::optional<ImportQuestion> question_for(const lab::Proposal& proposal,
   switch (question.about) {
     case lab::TableQuestion::About::unit:
       if (auto factor = factor_question(choices, column)) return factor;
-      return unit_question(proposal, choices, column);
+      return open_unit_question(proposal, choices, column);
     case lab::TableQuestion::About::sign:
       return sign_question(choices, column);
     case lab::TableQuestion::About::meaning:

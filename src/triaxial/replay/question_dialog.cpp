@@ -81,14 +81,17 @@ void QuestionDialog::ask_open_questions() {
 bool QuestionDialog::ask(const ImportQuestion& question) {
   say(list_of(question));
   const bool is_measured = question.about == ImportQuestion::About::value;
+  const bool has_default = !is_measured && !question.usual.empty();
   const std::string prompt =
-      is_measured ? fmt::format("answer in {}, such as {}: ", question.unit, question.usual)
-                  : fmt::format("answer{}{} [{}]: ", question.unit.empty() ? "" : " in ",
-                                question.unit, usual_of(question));
+      is_measured    ? fmt::format("answer in {}, such as {}: ", question.unit, question.usual)
+      : !has_default ? "answer: "
+                     : fmt::format("answer{}{} [{}]: ", question.unit.empty() ? "" : " in ",
+                                   question.unit, usual_of(question));
   while (true) {
     const std::string text = line(prompt);
-    if (is_measured && text.empty()) {
-      report("The file does not contain this value. Type it, or q to quit.");
+    if (!has_default && text.empty()) {
+      report(fmt::format("The file does not contain this {}. Type it, or q to quit.",
+                         is_measured ? "value" : "unit"));
       continue;
     }
     if (text == "?") {
