@@ -93,14 +93,11 @@ bool contracts_at_end(std::span<const PathSample> samples, bool drained) {
          p_eff->rate < -kSure * p_eff->rate_error;
 }
 
-bool softens_at_end(std::span<const PathSample> samples) {
+bool softens_at_end(std::span<const PathSample> samples, double mean_rate) {
   constexpr double kMovesOn = 0.5;
   std::size_t of = 0;
   const auto axial = best_at_last(samples, PathSample::axial_strain, of);
   if (!axial) return false;
-  const double way = samples.back().signal[PathSample::axial_strain] -
-                     samples.front().signal[PathSample::axial_strain];
-  const double mean_rate = way / static_cast<double>(samples.size() - 1);
   if (!(axial->rate / mean_rate >= kMovesOn)) return false;
   const auto volume = best_at_last(samples, PathSample::volumetric_strain, of);
   const auto q = best_at_last(samples, PathSample::q, of);

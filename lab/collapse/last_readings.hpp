@@ -56,9 +56,9 @@ Turned may_have_turned(std::span<const PathSample> samples, PathSample::Signal s
 bool contracts_at_end(std::span<const PathSample> samples, bool drained);
 
 /// Whether second-order work dq dε_q + dp′ dε_v at the last of them is negative by
-/// ChangePoint::kSignificance standard errors, while the axis moves on: at half its mean rate or
-/// more, in the same direction. False for fewer than six samples.
-bool softens_at_end(std::span<const PathSample> samples);
+/// ChangePoint::kSignificance standard errors, while the axis moves on: at half of `mean_rate`, the
+/// axial strain per reading of the stage, or more. False for fewer than six samples.
+bool softens_at_end(std::span<const PathSample> samples, double mean_rate);
 
 /// Whether q grows up to the end as it did over the stage, by `rate_of_stage` a reading, as under a
 /// load: over as few of the last readings as tell. Pre-condition: at least four samples.

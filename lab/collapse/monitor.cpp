@@ -389,7 +389,12 @@ void CollapseMonitor::Impl::look_at_end() {
   if (control.found() || (drained && !held_q && !loop_of_volume)) return;
   constexpr double kReadings = 64;
   const auto last = history.between(history.last_reading() - kReadings, history.last_reading());
-  if (!(held_q ? contracts_at_end(last, drained) : softens_at_end(last))) return;
+  if (last.empty()) return;
+  const auto strain = [](const PathSample& s) { return s.signal[PathSample::axial_strain]; };
+  const auto whole = history.between(history.first_reading(), history.last_reading());
+  const double mean_rate = (strain(last.back()) - strain(whole.front())) /
+                           (history.last_reading() - history.first_reading());
+  if (!(held_q ? contracts_at_end(last, drained) : softens_at_end(last, mean_rate))) return;
   const auto& s = last.back().signal;
   negative_at_end = Instant{.reading = std::llround(s[PathSample::Signal::reading]),
                             .q_pa = s[PathSample::Signal::q],

@@ -151,8 +151,8 @@ void add_strains(std::vector<Identity>& all) {
   all.push_back(sum("ε_q = ε_1 − ε_v/3", {{"shear_strain", 1}, {kStrain, -1}, {kVolume, 1. / 3}}));
   all.push_back(proportion("displacement = height · ε_1", {kDisplacement, kStrain}, height_evidence,
                            20, 700, -4, 8));
-  all.push_back(proportion("height = H0 (1 − ε_1)", {"specimen_height", kStrain}, height_evidence,
-                           20, 700, -4, 8));
+  all.push_back(proportion("height = H0 (1 − ε_1)", {"specimen_height", kStrain},
+                           current_height_evidence, 20, 700, -4, 8));
   all.back().factor = -1;
   all.push_back(proportion("area = A0 / (1 − ε_1)", {"current_area", kStrain}, area_evidence, 300,
                            9e4, -1, 2));

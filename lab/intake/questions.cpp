@@ -150,8 +150,18 @@ class Questions {
       return found && !found->is_decided() && found->other->quantity &&
              is_definition(found->reading, *found->other);
     };
-    if (is_borrowed("half_deviator_stress") || is_borrowed("mean_effective_stress_2d") ||
-        is_undecided("deviator_stress") || is_undecided("mean_effective_stress"))
+    const bool is_contradicted =
+        is_decidable && std::ranges::any_of(p_.meaning.identities, [](const HeldIdentity& held) {
+          const auto& names = held.identity->quantities;
+          const auto has_name = [&](const char* name) {
+            return std::ranges::find(names, name) != names.end();
+          };
+          return held.identity->is_constant && held.evidence < 0 &&
+                 has_name("mean_effective_stress") && has_name("deviator_stress");
+        });
+    if (is_contradicted || is_borrowed("half_deviator_stress") ||
+        is_borrowed("mean_effective_stress_2d") || is_undecided("deviator_stress") ||
+        is_undecided("mean_effective_stress"))
       ask(About::definitions, 0, "that these are s' and t",
           "columns half_deviator_stress and mean_effective_stress_2d");
   }

@@ -176,6 +176,14 @@ double height_evidence(const Identity& identity, SeriesSpan s, const SpecimenVal
       identity, s, [&](std::size_t row) { return s[1]->values[row]; }, specimen.height_mm);
 }
 
+double current_height_evidence(const Identity& identity, SeriesSpan s,
+                               const SpecimenValues& /*specimen*/) {
+  const auto heights = known_values(*s[0]);
+  if (heights.empty()) return 0;
+  return of_proportion(
+      identity, s, [&](std::size_t row) { return s[1]->values[row]; }, heights.front());
+}
+
 double area_evidence(const Identity& identity, SeriesSpan s, const SpecimenValues& /*specimen*/) {
   return of_proportion(identity, s,
                        [&](std::size_t row) { return 1 / shortened(s[1]->values[row]); });

@@ -11,6 +11,8 @@ EvidenceFunction sum_evidence;
 EvidenceFunction direct_evidence;
 /// The first series is proportional to the second one; the factor is the height of the specimen.
 EvidenceFunction height_evidence;
+/// The factor is the first height of the series.
+EvidenceFunction current_height_evidence;
 /// Area and axial strain.
 EvidenceFunction area_evidence;
 /// Force, stress and area.

@@ -42,8 +42,8 @@ class DrivenPath {
   /// Whether that stage drives the specimen as the present one did before it went back in a loop:
   /// then it is the way back to the path.
   bool goes_on_in(const StageInfo* stage) const { return in_loop() && is_alike(stage); }
-  /// `volume`: of the test, whose states with_fluid() are given to add(). The path begins anew. Of
-  /// a stage driven alike its largest η stands: below it is a loop.
+  /// Starts the path again. After a stage with the same control the largest η is kept: below it is
+  /// a loop. `volume`: of the test, whose states with_fluid() are given to add().
   void start_stage(const StageInfo* stage, bool has_time, const SpecimenVolume& volume = {});
   Control control() const { return control_; }
 

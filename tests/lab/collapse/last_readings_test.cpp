@@ -139,19 +139,19 @@ TEST_CASE("softens_at_end: a peak of q a few readings before the end is enough")
   const auto peak_at = [](double top) {
     return [top](double i) { return 1e5 - 20 * (i - top) * (i - top); };
   };
-  CHECK(softens_at_end(frame_samples(40, peak_at(34), strain)));
-  CHECK_FALSE(softens_at_end(frame_samples(40, peak_at(39), strain)));  // it ends there
-  CHECK_FALSE(softens_at_end(frame_samples(40, peak_at(60), strain)));
-  CHECK_FALSE(softens_at_end(frame_samples(5, peak_at(2), strain)));
+  CHECK(softens_at_end(frame_samples(40, peak_at(34), strain), 1e-4));
+  CHECK_FALSE(softens_at_end(frame_samples(40, peak_at(39), strain), 1e-4));  // it ends there
+  CHECK_FALSE(softens_at_end(frame_samples(40, peak_at(60), strain), 1e-4));
+  CHECK_FALSE(softens_at_end(frame_samples(5, peak_at(2), strain), 1e-4));
   // In extension q and the strain change their signs, and the work does not.
   const auto extended = [&](double i) { return -peak_at(34)(i); };
-  CHECK(softens_at_end(frame_samples(40, extended, [](double i) { return -1e-4 * i; })));
+  CHECK(softens_at_end(frame_samples(40, extended, [](double i) { return -1e-4 * i; }), -1e-4));
 }
 
 TEST_CASE("softens_at_end: unloading and relaxation are no softening") {
   const auto falls = [](double i) { return i < 34 ? 1e5 : 1e5 - 3000 * (i - 34); };
   const auto back = [](double i) { return i < 34 ? 1e-4 * i : 1e-4 * (68 - i); };
   const auto rests = [](double i) { return 1e-4 * std::min(i, 34 + 0.05 * (i - 34)); };
-  CHECK_FALSE(softens_at_end(frame_samples(40, falls, back)));
-  CHECK_FALSE(softens_at_end(frame_samples(40, falls, rests)));
+  CHECK_FALSE(softens_at_end(frame_samples(40, falls, back), 1e-4));
+  CHECK_FALSE(softens_at_end(frame_samples(40, falls, rests), 1e-4));
 }

@@ -291,3 +291,28 @@ TEST_CASE("propose: water that flows in in saturation does not decide the sign o
   const auto back = proposal_of(saturated_test("Back volume (mm3)", -1, 0.02));
   CHECK(back.meaning.of("back_volume")->reading.sign == 1);
 }
+
+TEST_CASE("propose: names that the pore pressure contradicts are asked") {
+  const auto text = [](double fraction, double later) {
+    return table("eps1 (%),q (kPa),u (kPa),p' (kPa)", [=](int i) {
+      constexpr int kSecondTest = 10;
+      const double cell_pressure = i < kSecondTest ? 300 : later;
+      return fmt::format("{:.2f},{:.2f},{:.2f},{:.2f}", 0.5 * i, q_of(i), u_of(i),
+                         cell_pressure - u_of(i) + fraction * q_of(i));
+    });
+  };
+  CHECK(asks(proposal_of(text(1, 600)), "that these are s' and t"));
+  CHECK_FALSE(asks(proposal_of(text(1. / 3, 300)), "that these are s' and t"));
+}
+
+TEST_CASE("propose: a strain that is not that of the height is asked") {
+  const auto text = [](double times) {
+    return table("t (s),e_v (-),u (kPa),Height (mm)", [times](int i) {
+      const double strain = 0.01 * (1 - std::exp(-0.3 * i));
+      return fmt::format("{},{:.5f},{:.1f},{:.4f}", 60 * i, times * strain,
+                         200 - 10 * (1 - std::exp(-0.3 * i)), 142.24 * (1 - strain));
+    });
+  };
+  CHECK(asks(proposal_of(text(3)), "meaning of e v"));
+  CHECK_FALSE(asks(proposal_of(text(1)), "meaning of e v"));
+}

@@ -218,11 +218,11 @@ TEST_CASE("what happened and what was found are known at the last reading taken 
 
 TEST_CASE("run_session: a record that ends while imminent is in force is not assessed") {
   // q peaks at reading 400.
-  FakeRig cut(396);
+  FakeRig cut(390);
   const Collapse c = run_session(cut, {}).collapse;
   REQUIRE(c.imminent);
   CHECK_FALSE(c.judged);
-  CHECK(c.judged_until == 395);
+  CHECK(c.judged_until == 389);
   CHECK_THAT(c.judged_until_reason, Catch::Contains("`imminent`"));
   FakeRig far(200);
   const Collapse early = run_session(far, {}).collapse;
