@@ -47,6 +47,11 @@ CommonCourse course_of_movement(SeriesSpan series) {
   constexpr double kEarly = 0.05;
   constexpr double kRelevant = 3;
   CommonCourse out;
+  // Without its first readings nobody knows whether the axis had moved.
+  if (series.size() > 1 && std::isnan(series[1]->values.front())) {
+    out.values = known_values(*series[0]);
+    return out;
+  }
   std::vector<double> axis;
   for (std::size_t row = 0; row < series[0]->values.size(); ++row) {
     if (!is_complete(series, row)) continue;

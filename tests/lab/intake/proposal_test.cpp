@@ -316,3 +316,17 @@ TEST_CASE("propose: a strain that is not that of the height is asked") {
   CHECK(asks(proposal_of(text(3)), "meaning of e v"));
   CHECK_FALSE(asks(proposal_of(text(1)), "meaning of e v"));
 }
+
+TEST_CASE("propose: a strain without its first readings does not hide the contraction") {
+  const auto text = [](double sign) {
+    return table("eps_a (-),eps_v (-),q (kPa)", [sign](int i) {
+      constexpr int kMissing = 3;
+      const double x = 0.5 * i, volume = 0.002 * x * std::exp(1 - x) - 0.0003 * x * x;
+      return fmt::format("{},{:.5f},{:.1f}",
+                         i < kMissing ? "9.90000E+37" : fmt::format("{:.5f}", 0.008 * i),
+                         sign * volume, q_of(i));
+    });
+  };
+  for (const double sign : {1.0, -1.0})
+    CHECK(proposal_of(text(sign)).meaning.of("volumetric_strain")->reading.sign == sign);
+}
