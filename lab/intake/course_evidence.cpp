@@ -47,7 +47,7 @@ CommonCourse course_of_movement(SeriesSpan series) {
   constexpr double kEarly = 0.05;
   constexpr double kRelevant = 3;
   CommonCourse out;
-  // Without its first readings nobody knows whether the axis had moved.
+  // If its first readings are missing, the axis may have moved before.
   if (series.size() > 1 && std::isnan(series[1]->values.front())) {
     out.values = known_values(*series[0]);
     return out;
