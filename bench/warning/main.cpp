@@ -164,8 +164,8 @@ int run(const Options& o) {
   const bool told =
       bench::print_alarm_trials("The alarm with two earlier tests", all.told, o.failures);
   fmt::print("\n");
-  const bool by_law = bench::print_alarm_trials("The alarm with a simulation by its law",
-                                                all.by_law, o.failures);
+  const bool by_law =
+      bench::print_alarm_trials("The alarm with a simulation by its law", all.by_law, o.failures);
   bench::print_limits(all.limits);
   if (!o.worst.empty()) bench::write_worst(all.alone, subjects, o.worst);
   return held && told && by_law ? 0 : 1;
