@@ -49,7 +49,7 @@ void for_all(std::size_t count, int jobs, const std::function<void(std::size_t)>
   for (std::thread& thread : threads) thread.join();
 }
 
-/// What a trial says that failed is told, and it is left out.
+/// Prints the error of a trial that failed, and leaves it out.
 template <class Of>
 void guarded(const bench::Subject& subject, std::uint64_t seed, const Of& of) {
   static std::mutex mutex;
@@ -78,7 +78,7 @@ lab::EarlierTests earlier_of(const bench::SimulatedBefore& before) {
 
 struct All {
   /// Seed by seed, in the order of the subjects: alone, with two tests, with a simulation.
-  std::vector<bench::AlarmTrial> alone, told, by_law;
+  std::vector<bench::AlarmTrial> alone, with_two, by_law;
   std::vector<bench::LimitTrial> limits;
 };
 
@@ -97,7 +97,7 @@ void run_subject(const bench::Subject& subject, std::size_t place, std::size_t s
     if (test.trial.programme.empty()) return;
     const std::size_t at = i * subjects + place;
     all.alone[at] = test.trial;
-    all.told[at] = bench::heard_again(test, earlier_of(row, i, 2));
+    all.with_two[at] = bench::heard_again(test, earlier_of(row, i, 2));
     bench::SimulatedBefore before;
     guarded(subject, seed(i), [&] { before = bench::simulated_before(subject, seed(i)); });
     all.by_law[at] = bench::heard_again(test, earlier_of(before));
@@ -106,7 +106,7 @@ void run_subject(const bench::Subject& subject, std::size_t place, std::size_t s
     bench::LimitTrial& limit = limits[i].emplace();
     limit.alone = test.trial;
     limit.one = bench::heard_again(test, earlier_of(row, i, 1), {hindsight.listener()});
-    limit.two = all.told[at];
+    limit.two = all.with_two[at];
     limit.by_law = all.by_law[at];
     limit.members = hindsight.members();
     limit.law = before.eta;
@@ -116,7 +116,7 @@ void run_subject(const bench::Subject& subject, std::size_t place, std::size_t s
 }
 
 void run_guards(const std::vector<bench::Subject>& subjects, const Options& o) {
-  std::vector<bench::GuardTrial> alone, told, by_law;
+  std::vector<bench::GuardTrial> alone, with_two, by_law;
   for (const bench::Subject& subject : subjects) {
     std::vector<bench::GuardTrial> row(static_cast<std::size_t>(o.seeds)), knowing, foreknowing;
     const auto seed = [&](std::size_t i) { return static_cast<std::uint64_t>(o.from) + i; };
@@ -134,11 +134,11 @@ void run_guards(const std::vector<bench::Subject>& subjects, const Options& o) {
       });
     });
     alone.insert(alone.end(), row.begin(), row.end());
-    told.insert(told.end(), knowing.begin(), knowing.end());
+    with_two.insert(with_two.end(), knowing.begin(), knowing.end());
     by_law.insert(by_law.end(), foreknowing.begin(), foreknowing.end());
   }
   bench::print_guard_trials("The guard alone", alone, o.failures);
-  bench::print_guard_trials("The guard with two earlier tests", told, o.failures);
+  bench::print_guard_trials("The guard with two earlier tests", with_two, o.failures);
   bench::print_guard_trials("The guard with a simulation by its law", by_law, o.failures);
 }
 
@@ -154,21 +154,21 @@ int run(const Options& o) {
   }
   const std::size_t count = subjects.size() * static_cast<std::size_t>(o.seeds);
   All all{.alone = std::vector<bench::AlarmTrial>(count),
-          .told = std::vector<bench::AlarmTrial>(count),
+          .with_two = std::vector<bench::AlarmTrial>(count),
           .by_law = std::vector<bench::AlarmTrial>(count),
           .limits = {}};
   for (std::size_t place = 0; place < subjects.size(); ++place)
     run_subject(subjects[place], place, subjects.size(), o, all);
   const bool held = bench::print_alarm_trials("The alarm alone", all.alone, o.failures);
   fmt::print("\n");
-  const bool told =
-      bench::print_alarm_trials("The alarm with two earlier tests", all.told, o.failures);
+  const bool with_two =
+      bench::print_alarm_trials("The alarm with two earlier tests", all.with_two, o.failures);
   fmt::print("\n");
   const bool by_law =
       bench::print_alarm_trials("The alarm with a simulation by its law", all.by_law, o.failures);
   bench::print_limits(all.limits);
   if (!o.worst.empty()) bench::write_worst(all.alone, subjects, o.worst);
-  return held && told && by_law ? 0 : 1;
+  return held && with_two && by_law ? 0 : 1;
 }
 
 }  // namespace

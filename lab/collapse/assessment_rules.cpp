@@ -36,7 +36,7 @@ CollapseKind kind_of_runaway(const Evidence& e) {
   return runaway_came_back(e) ? CollapseKind::limited : CollapseKind::flow;
 }
 
-/// A specimen that yielded at constant q and lost it flows, unless it caught itself with its q.
+/// A specimen that yielded at constant q and lost its q flows, unless it carried its q again.
 CollapseKind kind_at_constant_q(const Evidence& e) {
   const double loss = e.worst ? e.worst->strength_loss() : 0;
   if (!e.loss_of_control && loss < limits::kLossOfStrength) return CollapseKind::none;
@@ -133,7 +133,7 @@ void take_backbone(const Evidence& e, DraftAssessment& draft) {
   draft.drained = fall.drained && !e.at_held_q;
 }
 
-/// Whether the strength had gone before the first window of readings was full, which places no
+/// True if the strength was lost before the first window of readings was full. A window gives no
 /// onset before its own middle.
 bool is_late(const Instant& onset, const BackboneFall& fall) {
   return fall.confirmed && onset.reading > fall.last_high.reading &&
@@ -164,9 +164,8 @@ void compare_with_limit(const Evidence& e, DraftAssessment& draft) {
   Collapse& c = draft.collapse;
   c.inside_limit_surface =
       e.limit.inside(*c.onset->q_pa, *c.onset->p_eff_pa, static_cast<double>(c.onset->reading));
-  // A runaway that was seen is excused by a limit that is known, and by no ratio of the test's own.
-  // Nor is most of an undrained strength: with the pore pressure dead, dq = 3 dp′ walks along a
-  // limit of its own up to any peak.
+  // A stress ratio of this test alone makes neither a runaway nor an undrained loss of a flow a
+  // failure: if the pore pressure is stuck, dq = 3 dp′ gives a constant ratio up to any peak.
   const bool most = c.strength_lost.value_or(0) >= limits::kFlow && !draft.drained;
   if ((e.loss_of_control || most) && !e.limit.given() && c.inside_limit_surface == false)
     c.inside_limit_surface.reset();
@@ -216,7 +215,7 @@ void take_loss_of_control(const Finding& lost, Collapse& c) {
   c.loss_of_control_detected_at = lost.noticed;
 }
 
-/// What cycles lost for good is no cyclic mobility: q does not turn at that strength again.
+/// A permanent loss is no cyclic mobility: q does not turn at that strength again.
 bool cycles_were_carried(const Evidence& e, const Collapse& c) {
   const auto loading = e.cycles ? e.cycles->loading() : std::nullopt;
   if (!loading || (!loading->liquefied && !loading->double_amplitude)) return false;
@@ -224,7 +223,7 @@ bool cycles_were_carried(const Evidence& e, const Collapse& c) {
   return !for_good || e.cycles->carried_on(c.onset->reading, *c.onset->q_pa);
 }
 
-/// The onset is the first of what was reached and of what was lost.
+/// The onset is the earlier one of the limit of liquefaction and the loss.
 void take_cyclic_mobility(const Evidence& e, Collapse& c) {
   const CyclicLoading loading = *e.cycles->loading();
   const bool liquefied_first = loading.liquefied && (!loading.double_amplitude ||
@@ -260,7 +259,7 @@ bool ends_with_negative_work(const Evidence& e, const Collapse& c) {
          !is_cyclic(e) && !is_on_limit(e, *e.negative_at_end);
 }
 
-/// |q| fell by much while the axial strain stood: who knows whether the specimen did.
+/// |q| fell at a constant axial strain: it is not known whether the specimen was deformed.
 void end_at_doubtful_rest(const AxisRest::Fall& fall, Collapse& c) {
   c.kind = CollapseKind::none;
   c.end_at(
@@ -341,7 +340,7 @@ constexpr auto kRules = std::to_array<AssessmentRule>({
     {.name = "loss between readings",
      .condition = "no onset by the rows above; strength was lost from reading to reading, and a "
                   "second reading or a jump of the axial strain confirms it",
-     .result = "flow, limited or partial, as for softening. Onset: the last reading with 98 % of "
+     .result = "flow, limited or partial, as for softening. Onset: the last reading near "
                "the peak",
      .applies =
          [](const Evidence& e, const Draft& d) {
@@ -362,7 +361,7 @@ constexpr auto kRules = std::to_array<AssessmentRule>({
          }},
     {.name = "loss before the first window",
      .condition = "strength was lost from reading to reading before the onset found above",
-     .result = "onset: the last reading with 98 % of the peak",
+     .result = "onset: the last reading near the peak",
      .applies =
          [](const Evidence& e, const Draft& d) {
            return d.collapse.onset && lost_between_readings(e) &&
@@ -409,8 +408,8 @@ constexpr auto kRules = std::to_array<AssessmentRule>({
      .apply = [](const Evidence& e, Draft& d) { d.collapse.onset = e.control_peak->instant; }},
     {.name = "limit surface",
      .condition = "there is an onset with a stress ratio",
-     .result = "inside the limit surface, on it, or unknown. A limit that only this test shows "
-               "excuses no runaway and no undrained loss of a flow",
+     .result = "inside the limit surface, on it, or unknown. A stress ratio of this test alone "
+               "makes neither a runaway nor an undrained loss of a flow a failure",
      .applies = [](const Evidence&, const Draft& d) { return has_stress_ratio(d.collapse); },
      .apply = compare_with_limit},
     {.name = "failure on the limit surface",
@@ -441,7 +440,7 @@ constexpr auto kRules = std::to_array<AssessmentRule>({
      .applies = [](const Evidence&, const Draft& d) { return d.collapse.detected(); },
      .apply = note_when_known},
     {.name = "loss of control",
-     .condition = "the specimen ran away and no growing load withdrew it",
+     .condition = "the specimen ran away, and did not carry a growing load afterwards",
      .result = "loss of control: the runaway, whatever the kind",
      .applies = [](const Evidence& e, const Draft&) { return e.loss_of_control.has_value(); },
      .apply = [](const Evidence& e,

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "lab/base/text.hpp"
+#include "lab/intake/names/label_text.hpp"
 #include "lab/intake/text/row_model.hpp"
 #include "lab/results/test_type.hpp"
 
@@ -27,19 +28,13 @@ Lines cells_of_lines(const std::vector<std::string>& lines, Separator separator)
   return cells;
 }
 
-/// A value that is stated again with another rounding is the same.
-bool are_equal(const LabelValue& a, const LabelValue& b) {
-  constexpr double kRounding = 0.005;
-  return std::fabs(*a.value - *b.value) <= kRounding * std::fabs(*a.value);
-}
-
 void settle_repeated(std::vector<LabelValue>& labels) {
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!labels[i].value) continue;
     for (std::size_t k = i + 1; k < labels.size();) {
       const bool is_same = labels[k].name == labels[i].name && labels[k].value;
       if (is_same && !labels[i].is_ambiguous && !labels[k].is_ambiguous &&
-          are_equal(labels[i], labels[k])) {
+          are_repeated(*labels[i].value, *labels[k].value)) {
         labels.erase(labels.begin() + static_cast<std::ptrdiff_t>(k));
         continue;
       }

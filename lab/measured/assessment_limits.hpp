@@ -41,6 +41,8 @@ inline constexpr AssessmentLimit kGrowth{"growth of |q| that ends a runaway, of 
                                          0.05, "%", "the search of a servo is smaller"};
 inline constexpr AssessmentLimit kNoise{"change of q, over the noise between neighbouring readings",
                                         18, "", "10.4 standard deviations of white noise"};
+inline constexpr AssessmentLimit kNearPeak{"strength near the peak, of the peak", 0.98, "%",
+                                           "the onset is the last reading with it"};
 inline constexpr AssessmentLimit kLeap{"jump of the axial strain that confirms a loss", 0.01, "%",
                                        "a spike of a load cell moves no axis"};
 inline constexpr AssessmentLimit kLeapLoss{"loss of |q| that such a jump confirms", 0.50, "%",
@@ -62,9 +64,9 @@ inline constexpr AssessmentLimit kDoubleAmplitude{"double amplitude of axial str
                                                   "ASTM D5311"};
 
 inline constexpr std::array kAll{
-    kLossOfStrength, kFlow,   kReturn,   kDrainedFailure, kNoReturn,       kCycles,     kStates,
-    kRunaway,        kGrowth, kNoise,    kLeap,           kLeapLoss,       kRelaxation, kInside,
-    kWalk,           kBand,   kSteepest, kLiquefied,      kDoubleAmplitude};
+    kLossOfStrength, kFlow,   kReturn, kDrainedFailure, kNoReturn,  kCycles,         kStates,
+    kRunaway,        kGrowth, kNoise,  kNearPeak,       kLeap,      kLeapLoss,       kRelaxation,
+    kInside,         kWalk,   kBand,   kSteepest,       kLiquefied, kDoubleAmplitude};
 
 }  // namespace assessment_limits
 }  // namespace triax::lab

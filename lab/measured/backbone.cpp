@@ -45,7 +45,7 @@ void Backbone::Side::forget(const State& state) {
   fall.peak = *peak;
   fall.before_peak = peak == recent.begin() ? *peak : *(peak - 1);
   for (const State& s : recent)
-    if (strength(s) >= kHigh * strength(fall.peak)) fall.last_high = fall.least = s;
+    if (strength(s) >= limits::kNearPeak * strength(fall.peak)) fall.last_high = fall.least = s;
   fall.regained = strength(fall.least);
   fall.noise = noise.value();
 }
@@ -85,7 +85,7 @@ double Backbone::Side::pace_of_recent() const {
 
 void Backbone::Side::descend(const State& state, double step, bool drained) {
   const double now = strength(state), peak = strength(fall.peak);
-  if (fall.readings == 0 && now >= kHigh * peak) {
+  if (fall.readings == 0 && now >= limits::kNearPeak * peak) {
     fall.last_high = fall.least = state;
     fall.noise = noise.value();
     return;

@@ -46,7 +46,6 @@ struct BackboneFall {
 /// work is negative.
 class Backbone {
  public:
-  static constexpr double kHigh = 0.98;                       ///< of the peak: nearly all of it
   static constexpr double kMinStrain = 5e-4, kMinPace = 0.5;  ///< BackboneFall::axis_went_on
   static constexpr double kMinRatio = 0.05;                   ///< |q|/p′ of a peak that is one
   static constexpr std::int64_t kFew = 32;                    ///< readings

@@ -351,8 +351,8 @@ std::string name_of_pair(std::string_view line, Separator separator) {
   return is_number ? std::string() : name;
 }
 
-/// Lines at the begin of those below the rows of a test that are about it and not about the next
-/// one: pairs of a name and a value whose name is not above the table.
+/// Number of the first lines below the rows of a test that are about it and not about the next
+/// test: pairs of a name and a value whose name is not above the table.
 std::size_t count_lines_of_foot(const TableLayout& layout, const std::vector<std::string>& lines) {
   std::vector<std::string> names;
   for (const std::string& line : layout.head)

@@ -10,13 +10,12 @@
 #include "sim/mechanics/axisymmetric.hpp"
 #include "src/output/output.hpp"
 #include "src/output/table.hpp"
+#include "src/output/terminal.hpp"
 #include "src/output/wrapping.hpp"
 #include "src/study/version.hpp"
 
 namespace triax::src {
 namespace {
-
-constexpr std::size_t kWidth = 88;
 
 std::string about_text() {
   return fmt::format(
@@ -28,8 +27,9 @@ std::string about_text() {
 }
 
 std::string part_of_rule(const char* label, std::string_view text) {
+  constexpr std::size_t kIndent = 10;
   std::string out;
-  for (const std::string& line : wrapped(std::string(text), kWidth))
+  for (const std::string& line : wrapped(std::string(text), text_width() - kIndent))
     out += fmt::format("    {:<4}  {}\n", out.empty() ? label : "", line);
   return out;
 }
@@ -43,8 +43,8 @@ std::string value_of(const lab::AssessmentLimit& limit) {
 
 std::string rules_text() {
   std::string out =
-      "Rules of an assessment, applied once from top to bottom. Each sees what the rules above it "
-      "left.\n\n";
+      "Rules of an assessment, applied once from top to bottom, each to the result of those "
+      "above.\n\n";
   int number = 0;
   for (const lab::AssessmentRule& rule : lab::assessment_rules()) {
     out += fmt::format("{:2}  {}\n", ++number, rule.name);

@@ -56,6 +56,11 @@ std::optional<double> grouped_number(const QString& text) {
   return QString(text).remove(u'.').remove(u',').toDouble();
 }
 
+bool are_repeated(double a, double b) {
+  constexpr double kRounding = 0.005;
+  return std::fabs(a - b) <= kRounding * std::fabs(a);
+}
+
 const QRegularExpression& label_delimiter() {
   static const QRegularExpression pattern(R"([;|\t]|,(?!\d)|(?<!\d),|\s\s|\s[-–—/]\s)");
   return pattern;

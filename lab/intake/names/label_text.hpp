@@ -33,6 +33,9 @@ std::optional<double> decimal_number(QString text);
 /// The number with its mark between thousands, if it can be that: "86,193".
 std::optional<double> grouped_number(const QString& text);
 
+/// True if both numbers can be one measurement, stated with another rounding.
+bool are_repeated(double a, double b);
+
 /// Between two labels of one text. A comma between digits is a decimal mark.
 const QRegularExpression& label_delimiter();
 /// The label at the end of `before`: behind its last delimiter if that is the name of one, else

@@ -238,14 +238,13 @@ void LabelReader::add_more_cells(const NamedLabels& named, const std::vector<QSt
 /// one counts is not known if they differ.
 void LabelReader::check_more_numbers(const std::vector<QString>& cells, std::size_t next,
                                      std::size_t values_before) {
-  constexpr double kRepeated = 0.005;  // of measurements of one specimen
   if (next >= cells.size()) return;
   const auto value = read_amount(cells[next - 1]), other = read_amount(cells[next]);
   if (!value || !other || !value->rest.trimmed().isEmpty() || !other->rest.trimmed().isEmpty())
     return;
   const double a = decimal_number(value->number).value_or(0);
   const double b = decimal_number(other->number).value_or(0);
-  if (std::fabs(a - b) <= kRepeated * std::fabs(a)) return;
+  if (are_repeated(a, b)) return;
   for (std::size_t i = values_before; i < values_.size(); ++i)
     if (values_[i].value) values_[i].is_ambiguous = true;
 }

@@ -401,7 +401,8 @@ Command replay_command() {
                        "from the content]")
             ->type_name("NAME|FILE.toml");
         app.add_option("--sheet", o->sheet,
-                       "worksheet to read from a workbook [first that is recognised]")
+                       "worksheet to read from a workbook [the first with readings, and those with "
+                       "its headings]")
             ->type_name("NAME");
         app.add_option("--set", o->sets,
                        "value that the file lacks or has wrong, such as specimen.height_mm=140 "

@@ -10,7 +10,7 @@
 #include <map>
 
 #include "lab/collapse/criteria.hpp"
-#include "sim/mechanics/axisymmetric.hpp"
+#include "tests/lab/collapse/evidence_samples.hpp"
 
 using namespace triax::lab;
 
@@ -23,24 +23,13 @@ const LimitSurface& unknown_limit() {
 }
 
 const LimitSurface& sand() {
-  static const LimitSurface limit = [] {
-    SpecimenInfo specimen;
-    specimen.limit_friction_angle_rad = triax::sim::radians(32);  // q = 1.29 p'
-    return LimitSurface(specimen);
-  }();
+  static const LimitSurface limit = samples::sand();
   return limit;
 }
 
 Descent descent(double q_onset, double p_eff, double q_lost, double q_regained) {
-  Descent d;
-  d.onset.reading = 10;
-  d.onset.q = q_onset;
-  d.onset.p_eff = p_eff;
-  d.evidence.work.normalised = -0.2;
+  Descent d = samples::descent(q_onset, p_eff, q_lost, q_regained);
   d.evidence.normalised_error = 0.02;
-  d.q_lost = q_lost;
-  d.q_least = q_onset - q_lost;
-  d.q_regained = q_regained;
   d.noticed = Moment{15, std::nullopt};
   return d;
 }

@@ -7,28 +7,13 @@
 #include "lab/collapse/second_order_work.hpp"
 #include "lab/collapse/stress_span.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
+#include "tests/lab/collapse/evidence_samples.hpp"
 
 using namespace triax::lab;
+using samples::descent;
+using samples::sand;
 
 namespace {
-
-Descent descent(double q_onset, double p_eff, double q_lost, double q_regained) {
-  Descent d;
-  d.onset.reading = 10;
-  d.onset.q = q_onset;
-  d.onset.p_eff = p_eff;
-  d.evidence.work.normalised = -0.2;
-  d.q_lost = q_lost;
-  d.q_least = q_onset - q_lost;
-  d.q_regained = q_regained;
-  return d;
-}
-
-LimitSurface sand() {
-  SpecimenInfo specimen;
-  specimen.limit_friction_angle_rad = triax::sim::radians(32);
-  return LimitSurface(specimen);
-}
 
 /// With the criteria as they would stand beside that evidence.
 Collapse assess(const Evidence& e) {
