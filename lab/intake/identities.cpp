@@ -12,6 +12,7 @@ namespace triax::lab {
 namespace {
 
 constexpr const char* kQ = "deviator_stress";
+constexpr const char* kUncorrected = "deviator_stress_uncorrected";
 constexpr const char* kT = "half_deviator_stress";
 constexpr const char* kP = "mean_effective_stress";
 constexpr const char* kS = "mean_effective_stress_2d";
@@ -87,6 +88,8 @@ void add_stresses(std::vector<Identity>& all) {
                       {{kT, 2}, {pair.axial, -1}, {pair.radial, 1}}));
   }
   all.push_back(sum("q = 2 t", {{kQ, 1}, {kT, -2}}));
+  all.push_back(sum("q = uncorrected q − correction",
+                    {{kQ, 1}, {kUncorrected, -1}, {"membrane_and_drain_correction", 1}}));
   for (const char* total : {kRadial, kCell}) {
     all.push_back(sum("σ3 = σ3′ + u", {{total, 1}, {kEffectiveRadial, -1}, {kU, -1}}));
     all.push_back(sum("p = σ3 + q/3", {{kTotalP, 1}, {total, -1}, {kQ, -1. / 3}}));
@@ -169,9 +172,8 @@ void add_strains(std::vector<Identity>& all) {
 void add_forces(std::vector<Identity>& all) {
   all.push_back(proportion("q = F / A", {"axial_force", kQ, "current_area"},
                            force_over_area_evidence, 0.8, 1.25, -1, 8));
-  all.back().unless = {"deviator_stress_uncorrected"};
-  all.push_back(proportion("uncorrected q = F / A",
-                           {"axial_force", "deviator_stress_uncorrected", "current_area"},
+  all.back().unless = {kUncorrected};
+  all.push_back(proportion("uncorrected q = F / A", {"axial_force", kUncorrected, "current_area"},
                            force_over_area_evidence, 0.8, 1.25, -1, 8));
   all.push_back(proportion("t = F / (2 A)", {"axial_force", kT, "current_area"},
                            force_over_area_evidence, 0.8, 1.25, -1, 8));

@@ -43,7 +43,8 @@ class Search {
     std::vector<Assignment> beam{{0, std::vector<int>(columns_.size(), -1), {}}};
     for (const std::size_t column : order) beam = extended(beam, column);
     for (Assignment& one : beam) one.evidence -= superseded(one);
-    std::ranges::stable_sort(beam, std::greater<>(), &Assignment::evidence);
+    sort(beam);
+    add_neighbours(beam);
     return meaning_of(beam);
   }
 
@@ -58,21 +59,89 @@ class Search {
     for (const Assignment& one : beam)
       for (std::size_t k = 0; k < readings_[column].size(); ++k) {
         const ColumnReading& reading = readings_[column][k];
-        const bool is_taken = reading.quantity && !repeats(*reading.quantity) &&
-                              one.column_of.contains(reading.quantity);
-        if (is_taken) continue;
-        Assignment next = one;
-        next.choice[column] = static_cast<int>(k);
-        next.evidence += reading.evidence + of_convention(one, column, reading);
-        if (reading.quantity) {
-          next.column_of[reading.quantity] = column;
-          next.evidence += of_identities(next, reading.quantity);
-        }
-        out.push_back(std::move(next));
+        if (is_taken(one, reading)) continue;
+        out.push_back(one);
+        assign(out.back(), column, k);
       }
-    std::ranges::stable_sort(out, std::greater<>(), &Assignment::evidence);
+    sort(out);
     if (out.size() > kBeam) out.resize(kBeam);
     return out;
+  }
+
+  static void sort(std::vector<Assignment>& all) {
+    std::ranges::stable_sort(all, std::greater<>(), &Assignment::evidence);
+  }
+
+  static bool is_taken(const Assignment& one, const ColumnReading& reading) {
+    return reading.quantity && !repeats(*reading.quantity) &&
+           one.column_of.contains(reading.quantity);
+  }
+
+  void assign(Assignment& one, std::size_t column, std::size_t k) {
+    const ColumnReading& reading = readings_[column][k];
+    one.evidence += reading.evidence + of_convention(one, column, reading);
+    one.choice[column] = static_cast<int>(k);
+    if (!reading.quantity) return;
+    one.column_of[reading.quantity] = column;
+    one.evidence += of_identities(one, reading.quantity);
+  }
+
+  /// The beam loses what only the last columns decide. Adds all assignments that differ from the
+  /// best one in one column, or in two where the first takes the quantity of the second, and goes
+  /// on from a better one.
+  void add_neighbours(std::vector<Assignment>& beam) {
+    for (bool is_better = true; is_better;) {
+      const double best = beam.front().evidence;
+      std::vector<Assignment> near = neighbours(beam.front().choice);
+      std::ranges::move(near, std::back_inserter(beam));
+      sort(beam);
+      is_better = beam.front().evidence > best;
+    }
+  }
+
+  std::vector<Assignment> neighbours(const std::vector<int>& from) {
+    std::vector<Assignment> out;
+    std::vector<int> choice = from;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      for (std::size_t k = 0; k < readings_[i].size(); ++k) {
+        if (static_cast<int>(k) == from[i]) continue;
+        choice[i] = static_cast<int>(k);
+        const std::size_t holder = holder_of(readings_[i][k], from, i);
+        if (holder == columns_.size()) {
+          append(choice, out);
+          continue;
+        }
+        for (std::size_t m = 0; m < readings_[holder].size(); ++m) {
+          choice[holder] = static_cast<int>(m);
+          append(choice, out);
+        }
+        choice[holder] = from[holder];
+      }
+      choice[i] = from[i];
+    }
+    return out;
+  }
+
+  /// The other column with the quantity of `reading`; their number if there is none.
+  std::size_t holder_of(const ColumnReading& reading, const std::vector<int>& choice,
+                        std::size_t column) const {
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      if (i != column && reading.quantity && !repeats(*reading.quantity) &&
+          readings_[i][static_cast<std::size_t>(choice[i])].quantity == reading.quantity)
+        return i;
+    return columns_.size();
+  }
+
+  /// Nothing if a quantity is given twice.
+  void append(const std::vector<int>& choice, std::vector<Assignment>& out) {
+    Assignment one{0, std::vector<int>(choice.size(), -1), {}};
+    for (std::size_t i = 0; i < choice.size(); ++i) {
+      const auto k = static_cast<std::size_t>(choice[i]);
+      if (is_taken(one, readings_[i][k])) return;
+      assign(one, i, k);
+    }
+    one.evidence -= superseded(one);
+    out.push_back(std::move(one));
   }
 
   static bool repeats(const LexiconQuantity& quantity) {

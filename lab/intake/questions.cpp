@@ -51,6 +51,15 @@ bool is_volume(const ColumnReading& reading) {
   return reading.quantity->name == "volume_change" || reading.quantity->name == "back_volume";
 }
 
+/// A displacement, or the readings of its dial, which differ by a constant and the sign.
+bool is_displacement_or_dial(const ColumnReading& a, const ColumnReading& b) {
+  const auto is_one = [](const ColumnReading& reading) {
+    return reading.quantity->name == "axial_displacement" ||
+           reading.quantity->name == "dial_reading";
+  };
+  return is_one(a) && is_one(b);
+}
+
 class Questions {
  public:
   explicit Questions(const Proposal& proposal) : p_(proposal) {}
@@ -94,6 +103,7 @@ class Questions {
     const ColumnReading& other = *meaning.other;
     if (is_unused(other)) return;
     if (is_sign_open(meaning) || is_definition(reading, other)) return;
+    if (is_displacement_or_dial(reading, other) && is_strain_sure()) return;
     ask(About::meaning, column.position, "meaning of " + column.title,
         fmt::format("{} = {{ column = {} }} or {} = ...", key, column.position,
                     other.quantity->name));
@@ -184,24 +194,31 @@ class Questions {
     return std::ranges::any_of(kStresses, [&](const char* name) { return has(name); });
   }
 
-  void ask_about_specimen() {
-    const bool drains = is_volume_needed();
-    const bool is_tall = has_label("height") || has("specimen_height");
-    const ColumnMeaning* strain = p_.meaning.of("axial_strain");
+  /// A column is the strain, and it is not only known from a displacement without a unit: their
+  /// ratio may be that of another height.
+  bool is_strain_sure() const {
     const auto is_unsaid = [](const ColumnMeaning* column) {
       return column && column->reading.unit_source == UnitSource::identity;
     };
-    // The ratio of a displacement and a strain without units may be that of another height.
-    const bool is_strain_sure =
-        strain && strain->reading.unit_source != UnitSource::asked &&
-        !(is_unsaid(strain) && is_unsaid(p_.meaning.of("axial_displacement")));
+    const ColumnMeaning* strain = p_.meaning.of("axial_strain");
+    return strain && strain->reading.unit_source != UnitSource::asked &&
+           !(is_unsaid(strain) && is_unsaid(p_.meaning.of("axial_displacement")));
+  }
+
+  void ask_about_specimen() {
+    const bool drains = is_volume_needed();
+    const bool is_tall =
+        has_label("height") || has_label("consolidated_height") || has("specimen_height");
     const bool moves = has("axial_displacement") || has_gauge(false);
     const bool is_raw = moves || has("axial_force") || has_gauge(true);
-    if (!is_tall && ((moves && !is_strain_sure) || (drains && !strain) || has("volume_change")))
+    // Strains and stresses of the file are used as they are.
+    const bool is_reduced = is_strain_sure() && has_stress();
+    if (!is_tall && ((moves && !is_strain_sure()) || (drains && !has("axial_strain")) ||
+                     (has("volume_change") && !has("volumetric_strain"))))
       ask(About::value, 0, "height", "--set specimen.height_mm=...");
     const bool is_sized = has("current_area") || has_label("diameter") ||
                           has("specimen_diameter") || has_label("area");
-    if (!is_sized && (is_raw || drains))
+    if (!is_sized && ((is_raw && !is_reduced) || drains))
       ask(About::value, 0, "diameter", "--set specimen.diameter_mm=...");
   }
 

@@ -16,10 +16,9 @@ bool RestartFinder::Track::is_returned(double now) const {
   return largest > 0 && std::fabs(now - first) <= kReturned_fraction * largest;
 }
 
-/// The same, or nearer to zero: a test may lack its first readings.
+/// The same, or nearer to zero, of either sign: a test may lack its first readings.
 bool RestartFinder::Track::is_unloaded(double now) const {
-  return is_returned(now) ||
-         (largest > 0 && now * first >= 0 && std::fabs(now) <= std::fabs(first));
+  return is_returned(now) || (largest > 0 && std::fabs(now) <= std::fabs(first));
 }
 
 /// The first steps of a test are no measure of its steps.

@@ -341,6 +341,22 @@ void TableReader::keep_missing(std::string_view cell, const Plan& plan) {
   });
 }
 
+/// "34 (hard to read)", "34?": whoever wrote the remark does not vouch for the number.
+bool TableReader::parse_remark(std::string_view cell, const Plan& plan) {
+  if (!layout_.dialect.missing_words || plan.slot >= kQuantityCount) return false;
+  const auto end = cell.find_first_of("([?*");
+  double value = kMissing;
+  if (end == std::string_view::npos ||
+      parse_cell(trimmed(cell.substr(0, end)), decimal_, value) != CellKind::number)
+    return false;
+  rows_[now_][plan.slot] = kMissing;
+  findings_.note(plan.missing, line(), [&] {
+    return fmt::format("column {} has {}, a number with a remark: read as missing",
+                       excerpt(plan.column->heading), excerpt(cell));
+  });
+  return true;
+}
+
 void TableReader::refuse_text(std::string_view cell, const Plan& plan) const {
   const auto& heading = plan.column->heading;
   if (cell == heading)
@@ -375,7 +391,7 @@ void TableReader::parse_number(std::string_view cell, Plan& plan) {
   if (before != decimal_ && decimal_ == DecimalMark::comma)
     findings_.note("decimal comma", line(),
                    "the decimal mark is a comma: " + excerpt(cell) + " is read accordingly");
-  if (kind == CellKind::text && parse_percent(cell, plan)) return;
+  if (kind == CellKind::text && (parse_percent(cell, plan) || parse_remark(cell, plan))) return;
   if (kind == CellKind::text) refuse_text(cell, plan);
   if (kind == CellKind::missing) {
     keep_missing(cell, plan);

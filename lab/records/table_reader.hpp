@@ -99,6 +99,7 @@ class TableReader {
   bool parse_code(std::string_view cell, Plan& plan, double number);
   /// "5%" of a quantity that is a plain number, whatever its heading's unit: 0.05.
   bool parse_percent(std::string_view cell, const Plan& plan);
+  bool parse_remark(std::string_view cell, const Plan& plan);
   bool is_beside_block();
   void check_cell_count(std::string_view text);
   void keep_printed(std::string_view cell, const Plan& plan);

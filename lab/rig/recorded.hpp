@@ -25,13 +25,14 @@ struct RecordOptions {
   std::string dialect_text;  ///< the TOML of a dialect, in place of `dialect`
   std::string dialect_folder;  ///< of a lab::DialectMemory, used without a dialect; empty: none
   std::optional<std::string> encoding;  ///< of a text; empty: the dialect's, else it is found
-  std::string sheet;  ///< of a workbook; empty: the dialect's, else the first that is recognised
+  /// Of a workbook; empty: the one of the dialect, else the first that is recognised, else the
+  /// largest table.
+  std::string sheet;
   /// Values of a job file (lab/records/job_file.hpp), stronger than the file.
   std::vector<SetValue> job{};
   /// KEY=VALUE of --set, stronger than both ("specimen.height_mm", "140").
   std::vector<std::pair<std::string, std::string>> sets{};
-  bool is_to_propose = false;  ///< a table of a workbook need not be understood
-  std::size_t test = 0;        ///< of a file with several (tests_in()), from 1; 0: the only one
+  std::size_t test = 0;  ///< of a file with several (tests_in()), from 1; 0: the only one
   std::shared_ptr<const TestsInFile> tests{};  ///< of tests_in(); empty: the file is searched
   bool names_dialect() const { return !dialect.empty() || !dialect_text.empty(); }
 };

@@ -138,11 +138,16 @@ bool has_symbol_character(const QString& text) {
   return std::ranges::any_of(text, [&](QChar c) { return kSymbolCharacters.contains(c); });
 }
 
+/// "Δu", "(σ1-σ3)m", but not "ε", which may be any strain.
+bool is_symbol_with_index(const QString& text) {
+  return has_symbol_character(text) && without_outer(text, u"()[]").size() > 1;
+}
+
 /// Names and symbols at the end of a heading. Quantities that its beginning names, too, come first:
 /// true if there are some.
 bool append_tails(const QString& text, const QuantitySet& contradicted, SearchLevels& levels) {
   const NameIndex& index = NameIndex::get();
-  QuantitySet both, tail, symbol, head;
+  QuantitySet both, named_symbol, tail, symbol, head;
   for (const auto& [head_end, tail_begin] : find_splits(text)) {
     const QString first = text.first(head_end);
     const QString rest = text.sliced(tail_begin);
@@ -153,7 +158,10 @@ bool append_tails(const QString& text, const QuantitySet& contradicted, SearchLe
     if (!is_group && symbol_readings(rest).empty()) of_rest &= ~contradicted;
     if (of_rest.any() && (of_first.any() || is_group)) {
       tail |= of_rest;
-      both |= of_rest & of_first;
+      const QuantitySet common = of_rest & of_first;
+      both |= common;
+      if (of_first.any() && is_symbol_with_index(rest))
+        named_symbol |= common.any() ? common : of_rest;
     } else if (has_symbol_character(rest)) {
       symbol |= of_rest;
     }
@@ -161,6 +169,8 @@ bool append_tails(const QString& text, const QuantitySet& contradicted, SearchLe
         !symbol_readings(rest).empty())
       head |= of_first;
   }
+  // "Pore pressure (Δu)" is Δu, and no pore pressure with a word to be dropped.
+  levels.insert(levels.begin() + 1, {NameMatch::tail, named_symbol});
   levels.insert(levels.end(), {{NameMatch::tail, both},
                                {NameMatch::tail, tail},
                                {NameMatch::symbol, symbol},

@@ -147,8 +147,7 @@ bool is_own_format(lab::ByteSource& table) {
 
 Json proposed(const RecordToRead& record, const Upload& upload) {
   try {
-    const auto table = lab::sheet_or_text(upload.source(record.name),
-                                          {.sheet = record.sheet, .is_to_propose = true});
+    const auto table = lab::sheet_or_text(upload.source(record.name), {.sheet = record.sheet});
     Json answer =
         study::proposal_json(*table, lab::DialectMemory(lab::DialectMemory::folder_of(record.db)));
     answer["worksheets"] = Json::array();

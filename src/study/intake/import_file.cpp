@@ -10,9 +10,7 @@
 namespace triax::study {
 
 ImportFile read_proposals(const std::string& path, const lab::RecordOptions& options) {
-  lab::RecordOptions any = options;
-  any.is_to_propose = true;
-  const auto readings = lab::open_readings(path, any);
+  const auto readings = lab::open_readings(path, options);
   ImportFile out;
   out.source.name = std::filesystem::path(path).stem().string();
   if (const auto* const text = dynamic_cast<const lab::Utf8Source*>(readings.get()))

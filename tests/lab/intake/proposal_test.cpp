@@ -330,3 +330,61 @@ TEST_CASE("propose: a strain without its first readings does not hide the contra
   for (const double sign : {1.0, -1.0})
     CHECK(proposal_of(text(sign)).meaning.of("volumetric_strain")->reading.sign == sign);
 }
+
+TEST_CASE("propose: a wide calculation sheet has its best meaning, and needs no dimensions") {
+  const Proposal found = proposal_of(table(
+      "Date,Time,Axial strain Reading DL (mm),Axial strain Difference (mm),Axial strain ε "
+      "(%),Axial force Reading R (div),"
+      "Axial force R-R0 (div),Axial force P (N),Volume change Reading (cm³),"
+      "Volume change Difference (cm³),Volume change εv (%),Area As (mm²),"
+      "Deviator stress (σ1-σ3)m (kPa),Deviator stress σmb (kPa),Deviator stress (σ1-σ3) (kPa),"
+      "Principal stresses σ1' (kPa),Principal stresses σ3' (kPa),Principal stresses σ1'/σ3',"
+      "Stress path s' (kPa),Stress path t' (kPa)",
+      [](int i) {
+        const double strain = 0.01 * i, area = 1928, height = 98.4, volume = 0.3 * strain;
+        const double membrane = 2 * strain, corrected = 3 * q_of(i);
+        const double measured = corrected + membrane, current = area * (1 - volume) / (1 - strain);
+        const double force = measured * current / 1e3, ring = force / 1.82;
+        const double flow = volume * area * height / 1e3, major = 150 + corrected;
+        return fmt::format(
+            "2023-11-08,{:02}:{:02},{:.3f},{:.3f},{:.2f},{:.1f},{:.1f},{:.1f},{:.2f},{:.2f},{:.3f},"
+            "{:.1f},{:.1f},{:.2f},{:.1f},{:.1f},150,{:.3f},{:.1f},{:.1f}",
+            9 + i / 12, i % 12 * 5, 1.25 + height * strain, height * strain, 100 * strain,
+            64 + ring, ring, force, 31.6 - flow, flow, 100 * volume, current, measured, membrane,
+            corrected, major, major / 150, (major + 150) / 2, corrected / 2);
+      }));
+  CHECK(quantity_of(found, 4) == "axial_strain");
+  CHECK(quantity_of(found, 7) == "axial_force");
+  CHECK(quantity_of(found, 10) == "volumetric_strain");
+  CHECK(quantity_of(found, 12) == "deviator_stress_uncorrected");
+  CHECK(quantity_of(found, 13) == "membrane_and_drain_correction");
+  CHECK(quantity_of(found, 14) == "deviator_stress");
+  CHECK(found.questions.empty());
+}
+
+TEST_CASE("propose: the correction tells the corrected deviator stress") {
+  for (const bool is_first : {true, false}) {
+    const Proposal found = proposal_of(
+        table("Strain (%),q (kPa),Deviator (kPa),Membrane correction (kPa)", [is_first](int i) {
+          const double correction = 0.3 * i, corrected = q_of(i), measured = corrected + correction;
+          return fmt::format("{:.1f},{:.1f},{:.1f},{:.1f}", 0.5 * i,
+                             is_first ? corrected : measured, is_first ? measured : corrected,
+                             correction);
+        }));
+    CHECK(quantity_of(found, is_first ? 1 : 2) == "deviator_stress");
+    CHECK(quantity_of(found, is_first ? 2 : 1) == "deviator_stress_uncorrected");
+  }
+}
+
+TEST_CASE("propose: dimensions are asked where the result needs them") {
+  const auto text = [](const std::string& last, auto value) {
+    return table("Displacement (mm),Force (N),Axial strain (%)" + last, [&](int i) {
+      return fmt::format("{:.2f},{:.1f},{:.2f}{}", 0.38 * i, 1.2 * q_of(i), 0.5 * i, value(i));
+    });
+  };
+  CHECK(asks(proposal_of(text("", [](int) { return ""; })), "diameter"));
+  const Proposal reduced = proposal_of(
+      text(",q (kPa)", [](int i) { return fmt::format(",{:.1f}", q_of(i) * (1 - 0.005 * i)); }));
+  CHECK_FALSE(asks(reduced, "diameter"));
+  CHECK_FALSE(asks(reduced, "height"));
+}

@@ -60,6 +60,14 @@ TEST_CASE("RestartFinder: a test may lack its first readings") {
   CHECK(table.restarts() == Readings{20});
 }
 
+TEST_CASE("RestartFinder: a load that scatters about zero has returned") {
+  Table table;
+  table.add_test(0, 2);
+  table.add(0, -0.2, 1000);
+  table.add_test(1000, 1);
+  CHECK(table.restarts() == Readings{19});
+}
+
 TEST_CASE("RestartFinder: the second test may have longer steps") {
   Table table;
   table.add_test(0);

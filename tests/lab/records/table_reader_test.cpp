@@ -83,6 +83,24 @@ TEST_CASE("TableReader: a code for no value is a missing cell, in any unit", "[r
   CHECK(moving.rows[3].si[index(back_volume)] == Approx(9999e-9));
 }
 
+TEST_CASE("TableReader: a number with a remark is a missing cell of a foreign table") {
+  const std::string headings = "q,delta_u,p_prime,epsilon_a\n0,0,100,0\n";
+  for (const std::string cell : {"15 (hard to read)", "15?", "15 *", "-1.5 [bumped]"}) {
+    INFO(cell);
+    const auto table = read_whole(headings + "10," + cell + ",95,0.1\n20,6,90,0.2\n");
+    REQUIRE(table.rows.size() == 3);
+    CHECK(std::isnan(table.rows[1].si[index(excess_pore_pressure)]));
+    REQUIRE(table.warnings.size() == 1);
+    CHECK(table.warnings[0].text ==
+          "column 'delta_u' has '" + cell + "', a number with a remark: read as missing");
+  }
+  for (const std::string cell : {"(hard to read)", "15 hard", "15 20", "abc?", "1.2.3?"})
+    CHECK_THROWS_WITH(read_whole(headings + "10," + cell + ",95,0.1\n"),
+                      Catch::Contains("is not a number"));
+  CHECK_THROWS_WITH(read_whole(kHeadingsOfFour + "0,0.1,0.2 (?),800\n"),
+                    Catch::Contains("is not a number"));
+}
+
 TEST_CASE("our own format has no word for a missing value") {
   for (const std::string word :
        {"NaN", "nan", "-nan", "NA", "-", "null", "#DIV/0!", "inf", "-inf"}) {

@@ -100,6 +100,15 @@ TEST_CASE("tests_in: each sheet with the same headings is a test") {
   CHECK(tests_in(open, {.sheet = "CU1"}).names.empty());
 }
 
+TEST_CASE("Record of a workbook: a sheet that lacks a value is named, not the first one") {
+  std::vector<std::string> headings = kRawHeadings;
+  headings[1] = "Axial load";
+  const auto parts = workbook(
+      {{"Summary", sheet(row({"phi'", "34.9", "deg"}))}, {"Readings", raw_sheet(headings, 500)}});
+  CHECK_THROWS_WITH(open_record(source_of(parts), {}),
+                    Catch::Contains("the file does not decide: unit of Axial load"));
+}
+
 TEST_CASE("a sheet is a record: the first that is recognised, numbers to the last bit") {
   const auto parts = workbook(
       {{"Notes", sheet("<row>" + cell("nothing") + "</row>")}, {"Data", sheet(own_rows())}});

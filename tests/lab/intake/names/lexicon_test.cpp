@@ -64,6 +64,21 @@ TEST_CASE("find_names: each kind of match is found and comes in its order") {
   }
 }
 
+TEST_CASE("find_names: a symbol behind a name is stronger than the name, but not a bare letter") {
+  for (const auto& [heading, quantity] :
+       std::to_array<std::pair<std::string_view, std::string_view>>(
+           {{"Pore pressure (Δu)", "excess_pore_pressure"},
+            {"Deviator stress (σ1-σ3)m", "deviator_stress_uncorrected"},
+            {"Deviator stress (σ1-σ3)", "deviator_stress"},
+            {"Cell pressure (σ3)", "cell_pressure"},
+            {"Volumetric strain (ε)", "volumetric_strain"}})) {
+    const HeadingNames names = find_names(heading);
+    INFO(heading << ": " << candidates_text(names));
+    REQUIRE_FALSE(names.candidates.empty());
+    CHECK(names.candidates.front().quantity->name == quantity);
+  }
+}
+
 TEST_CASE("find_names: set points, rates and single values are no readings") {
   for (const char* heading : {"Commanded chamber pressure",
                               "Заданные давления в камере",
