@@ -22,6 +22,7 @@ struct SearchRules {
   std::vector<QRegularExpression> statistics;  ///< those of `drops` that a logger appends
   PhraseTable kept_words;
   QSet<QString> group_names;
+  QSet<QString> of_words;
 };
 
 QString joined_with_blanks(const std::vector<QString>& tokens) {
@@ -54,6 +55,8 @@ SearchRules read_search_rules() {
         rules.kept_words.add(tokens_of(word), position_of(*quantity));
   for (const std::string& name : file.required_table("lookup").texts("group_names"))
     rules.group_names.insert(joined_with_blanks(tokens_of(name)));
+  for (const std::string& word : file.required_table("lookup").texts("of_words"))
+    rules.of_words.insert(QString::fromStdString(word));
   return rules;
 }
 
@@ -143,6 +146,12 @@ bool is_symbol_with_index(const QString& text) {
   return has_symbol_character(text) && without_outer(text, u"()[]").size() > 1;
 }
 
+/// "of reading" tells more about the name before it and is no name of its own.
+bool begins_with_of(const QString& text) {
+  const auto tokens = heading_tokens(text);
+  return !tokens.empty() && search_rules().of_words.contains(tokens.front());
+}
+
 /// Names and symbols at the end of a heading. Quantities that its beginning names, too, come first:
 /// true if there are some.
 bool append_tails(const QString& text, const QuantitySet& contradicted, SearchLevels& levels) {
@@ -152,6 +161,7 @@ bool append_tails(const QString& text, const QuantitySet& contradicted, SearchLe
     const QString first = text.first(head_end);
     const QString rest = text.sliced(tail_begin);
     const QuantitySet of_first = index.find_exact(first);
+    if (begins_with_of(rest)) continue;
     const bool is_group =
         search_rules().group_names.contains(joined_with_blanks(heading_tokens(first)));
     QuantitySet of_rest = rest.isEmpty() ? QuantitySet() : index.find_exact(rest);

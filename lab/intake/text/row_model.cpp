@@ -237,6 +237,23 @@ void trim_runs(RowModel& model, const TableSample& sample) {
     if (run->rows == 1) model.is_row[run->first] = 0;
 }
 
+/// A row in which many values are missing, directly above the others: the first column of values
+/// has one, and no such column has text.
+bool is_sparse_row(const RowModel& model, const ShapedLine& line) {
+  if (line.is_comment || line.numbers == 0 || line.cell_count != model.width) return false;
+  for (std::size_t column = 0; column < model.width; ++column)
+    if (model.is_value_column(column))
+      return is_value(line.shape(column)) && !begins_no_run(model, line);
+  return false;
+}
+
+void add_sparse_rows(RowModel& model, const TableSample& sample) {
+  auto first = static_cast<std::size_t>(std::ranges::find(model.is_row, 1) - model.is_row.begin());
+  while (first > 0 && first < model.lines.size() && is_sparse_row(model, model.lines[first - 1]) &&
+         !is_numbering(sample.line(first - 1), model.separator))
+    model.is_row[--first] = 1;
+}
+
 /// The format in which most numbers can be read, and what fraction of all cells that is.
 void choose_format(RowModel& model) {
   std::array<std::size_t, kNumberFormats.size()> counts{};
@@ -315,6 +332,7 @@ RowModel fit_rows(const TableSample& sample, Separator separator) {
   model.is_row.assign(model.lines.size(), 0);
   for (const auto i : find_rows(model)) model.is_row[i] = 1;
   trim_runs(model, sample);
+  add_sparse_rows(model, sample);
   const auto first = std::ranges::find(model.is_row, 1);
   if (first == model.is_row.end()) {
     model.width = 0;

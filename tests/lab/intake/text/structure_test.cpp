@@ -150,6 +150,16 @@ TEST_CASE("Structure: cells without a value do not end the table") {
         Texts{"INDEX", "TIME", "Q"});
 }
 
+TEST_CASE("Structure: a first row in which most values are missing is a row") {
+  // The second and third columns start later; the remark is written in a few rows.
+  std::string text = "strain,q,p,note\n0.0000,,,ok\n0.0068,165.1,,\n0.0136,200.0,,ok\n";
+  for (int i = 3; i < 18; ++i)
+    text += fmt::format("{:.4f},{:.1f},{:.1f},{}\n", 0.0068 * i, 200.0 + i, 550.0 + i,
+                        i % 2 == 0 ? "log" : "");
+  CHECK(shape_of(text) == "comma . H1 U0 R2-0");
+  CHECK(shape_of("18,,,\n" + text) == "comma . H2 U0 R3-0");
+}
+
 TEST_CASE("Structure: clocks and texts are columns") {
   CHECK(shape_of("Date Time\tq\n2026-03-09 23:59:50\t1\n2026-03-10 00:00:00\t2\n") ==
         "tab . H1 U0 R2-0");
