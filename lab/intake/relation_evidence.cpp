@@ -151,18 +151,16 @@ double sum_evidence(const Identity& identity, SeriesSpan series,
   const SumTerms terms = terms_of(identity, series);
   std::vector<double> sums = terms.sums;
   if (sums.size() < kMinRows) return 0;
-  if (identity.is_constant) {
-    const double constant = median(sums);
-    for (double& sum : sums) sum -= constant;
-  }
-  double rounding = 0;
+  // A printed value that does not change is off by a constant, at most by its rounding.
+  double rounding = 0, largest_offset = identity.is_constant ? HUGE_VAL : 0;
   std::vector<double> variations;
   for (std::size_t i = 0; i < series.size(); ++i) {
     variations.push_back(variation(terms.of_series[i]));
     const double half_unit = std::fabs(identity.coefficients[i]) * series[i]->half_unit;
-    // A printed value that does not change is off by a constant.
-    if (!identity.is_constant || variations.back() > half_unit) rounding += half_unit;
+    (variations.back() > half_unit ? rounding : largest_offset) += half_unit;
   }
+  const double offset = std::clamp(median(sums), -largest_offset, largest_offset);
+  for (double& sum : sums) sum -= offset;
   std::ranges::sort(variations);
   return weighed(identity, sums, rounding, variations[variations.size() - 2]);
 }

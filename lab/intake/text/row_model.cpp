@@ -211,6 +211,13 @@ void trim_summary(RowModel& model, const TableSample& sample, const Run& run) {
     }
 }
 
+/// A line of a summary that has the name of a stage: two others are directly above it.
+bool follows_summary(const RowModel& model, const TableSample& sample, const Run& run,
+                     std::size_t row) {
+  return row >= run.first + 2 && model.is_row[row - 1] != 0 && model.is_row[row - 2] != 0 &&
+         ends_no_run(model, sample, row - 1) && ends_no_run(model, sample, row - 2);
+}
+
 /// Takes away what looks like a row at the ends of runs, and runs of one row above the largest.
 void trim_runs(RowModel& model, const TableSample& sample) {
   const auto is_row = [&](std::size_t i) { return model.is_row[i] != 0; };
@@ -225,7 +232,7 @@ void trim_runs(RowModel& model, const TableSample& sample) {
     trim_summary(model, sample, run);
     i = run.last;
     while (i > run.first && !is_row(i)) --i;
-    while (is_row(i) && ends_no_run(model, sample, i)) {
+    while (is_row(i) && (ends_no_run(model, sample, i) || follows_summary(model, sample, run, i))) {
       model.is_row[i] = 0;
       while (i > run.first && !is_row(i)) --i;
     }
@@ -237,14 +244,13 @@ void trim_runs(RowModel& model, const TableSample& sample) {
     if (run->rows == 1) model.is_row[run->first] = 0;
 }
 
-/// A row in which many values are missing, directly above the others: the first column of values
-/// has one, and no such column has text.
+/// A row in which many values are missing, directly above the others: no column of values has
+/// text. Between blanks an empty cell is none.
 bool is_sparse_row(const RowModel& model, const ShapedLine& line) {
-  if (line.is_comment || line.numbers == 0 || line.cell_count != model.width) return false;
-  for (std::size_t column = 0; column < model.width; ++column)
-    if (model.is_value_column(column))
-      return is_value(line.shape(column)) && !begins_no_run(model, line);
-  return false;
+  if (line.is_comment || line.numbers == 0) return false;
+  if (model.separator == Separator::blanks || model.separator == Separator::wide_blanks)
+    return line.texts == 0;
+  return line.cell_count == model.width && !begins_no_run(model, line);
 }
 
 void add_sparse_rows(RowModel& model, const TableSample& sample) {

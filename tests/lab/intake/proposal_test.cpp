@@ -400,3 +400,13 @@ TEST_CASE("propose: s′ and t under the names of p′ and q are found by a roun
   CHECK(quantity_of(found, 3) == "half_deviator_stress");
   CHECK(quantity_of(found, 4) == "mean_effective_stress_2d");
 }
+
+TEST_CASE("propose: a held pressure in coarse steps is the sum of effective and pore pressure") {
+  const Proposal found =
+      proposal_of(table("e_vol (%),cp_meas (bar),Pw_base (bar),eff_rad_stress (kPa)", [](int i) {
+        const double u = 347.7 - 150 * std::tanh(0.1 * i);
+        return fmt::format("{:.2f},5.5,{:.3f},{:.2f}", 0.14 * i, u / 100, 549.99 - u);
+      }));
+  CHECK(quantity_of(found, 1) == "cell_pressure");
+  CHECK(quantity_of(found, 2) == "pore_pressure");
+}

@@ -158,6 +158,24 @@ TEST_CASE("Structure: a first row in which most values are missing is a row") {
                         i % 2 == 0 ? "log" : "");
   CHECK(shape_of(text) == "comma . H1 U0 R2-0");
   CHECK(shape_of("18,,,\n" + text) == "comma . H2 U0 R3-0");
+  text.replace(text.find("0.0000,,"), 8, ",100.0,");
+  CHECK(shape_of(text) == "comma . H1 U0 R2-0");
+}
+
+TEST_CASE("Structure: a first row with one value between blanks is a row") {
+  std::string text = "strain (%)  vertical stress (kPa)  radial stress (kPa)\n";
+  for (int i = 0; i < 12; ++i)
+    text += fmt::format("{:>10}  {:>21.2f}  {:>19}\n", i < 2 ? "" : fmt::format("{:.2f}", 0.7 * i),
+                        100.0 + 30 * i, i < 1 ? "" : fmt::format("{:.1f}", 100.0 + 0.1 * (i % 3)));
+  CHECK(structure_of(text).first_row_line == 2);
+}
+
+TEST_CASE("Structure: a line of a summary with the name of a stage is no row") {
+  std::string text = "Stage\tt\tq\n";
+  for (int i = 0; i < 10; ++i) text += fmt::format("Saturation\t{}\t0.0\n", 100 * i);
+  for (int i = 10; i < 30; ++i) text += fmt::format("Failure\t{}\t{:.1f}\n", 100 * i, 2.5 * i);
+  text += "Max\t2900\t72.5\nMean\t1450\t30.1\nFailure\t2900\t72.5\n";
+  CHECK(shape_of(text) == "tab . H1 U0 R2-31");
 }
 
 TEST_CASE("Structure: clocks and texts are columns") {
