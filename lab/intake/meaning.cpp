@@ -12,7 +12,6 @@ namespace triax::lab {
 namespace {
 
 constexpr double kSameUnit = 0.5, kOtherUnit = -2.5;
-constexpr double kSecondBorrowed = 2.5;  ///< what a borrowed name costs
 constexpr std::size_t kBeam = 300;
 
 /// Some columns with a reading each.
@@ -171,15 +170,6 @@ class Search {
     }
   };
 
-  /// s′ and t by the names of p′ and q are one unusual choice, not one of each column.
-  static bool are_half_borrowed(const ColumnReading& a, const ColumnReading& b) {
-    const auto is_half = [](const ColumnReading& one) {
-      return one.name == NameMatch::borrowed && (one.quantity->name == "half_deviator_stress" ||
-                                                 one.quantity->name == "mean_effective_stress_2d");
-    };
-    return is_half(a) && is_half(b);
-  }
-
   /// Units that are not stated are those of other columns; an unusual sign is one of many columns.
   double of_convention(const Assignment& one, std::size_t column, const ColumnReading& now) const {
     if (!now.quantity) return 0;
@@ -190,7 +180,6 @@ class Search {
       const ColumnReading& before = reading(one, i);
       if (!before.quantity) continue;
       signs.add(before);
-      if (are_half_borrowed(now, before)) out += kSecondBorrowed;
       const bool is_unsaid =
           now.unit_source == UnitSource::identity || before.unit_source == UnitSource::identity;
       if (is_unsaid && unit_group(*now.quantity) == unit_group(*before.quantity))
