@@ -188,12 +188,6 @@ class Questions {
     return false;
   }
 
-  bool has_stress() const {
-    constexpr std::array kStresses{"deviator_stress", "half_deviator_stress", "axial_stress",
-                                   "effective_axial_stress", "deviator_stress_uncorrected"};
-    return std::ranges::any_of(kStresses, [&](const char* name) { return has(name); });
-  }
-
   /// A column is the strain, and it is not only known from a displacement without a unit: their
   /// ratio may be that of another height.
   bool is_strain_sure() const {
@@ -211,14 +205,12 @@ class Questions {
         has_label("height") || has_label("consolidated_height") || has("specimen_height");
     const bool moves = has("axial_displacement") || has_gauge(false);
     const bool is_raw = moves || has("axial_force") || has_gauge(true);
-    // Strains and stresses of the file are used as they are.
-    const bool is_reduced = is_strain_sure() && has_stress();
     if (!is_tall && ((moves && !is_strain_sure()) || (drains && !has("axial_strain")) ||
-                     (has("volume_change") && !has("volumetric_strain"))))
+                     has("volume_change")))
       ask(About::value, 0, "height", "--set specimen.height_mm=...");
     const bool is_sized = has("current_area") || has_label("diameter") ||
                           has("specimen_diameter") || has_label("area");
-    if (!is_sized && ((is_raw && !is_reduced) || drains))
+    if (!is_sized && (is_raw || drains))
       ask(About::value, 0, "diameter", "--set specimen.diameter_mm=...");
   }
 

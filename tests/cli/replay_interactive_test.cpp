@@ -94,6 +94,18 @@ TEST_CASE("replay --interactive: the unit of a force has to be typed") {
   CHECK(shows(outcome.out, "0.00 % to 3.00 %"));
 }
 
+TEST_CASE("replay --interactive: Enter reads strains and stresses without dimensions") {
+  const Workplace here;
+  const Outcome outcome = talk(here,
+                               "Test type,UC\n\nTime (min),Load (N),Strain (%),q (kPa)\n"
+                               "0,0,0,0\n1,68,0.66,59.6\n2,100,1.32,87.0\n3,120,1.97,103.7\n",
+                               "\ny\n");
+  CHECK(outcome.status == 0);
+  CHECK(shows(outcome.out, "such as 38, or Enter to read it without"));
+  CHECK(shows(outcome.out, "51.9 kPa"));
+  CHECK(here.has("triax.db"));
+}
+
 TEST_CASE("replay --interactive: height and diameter are asked until they are typed") {
   const Workplace here;
   const Outcome outcome = talk(here, kRaw, "100\n\n50\ny\n");

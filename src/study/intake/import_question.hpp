@@ -34,6 +34,7 @@ struct ImportQuestion {
   std::string usual;                  ///< value of the usual answer; empty: one has to be typed
   std::string key{};                  ///< of a value: that of an AskedValue
   std::string unit{};                 ///< of a number
+  bool is_optional = false;           ///< the table can be read without an answer
 };
 
 }  // namespace triax::study

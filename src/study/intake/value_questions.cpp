@@ -94,6 +94,13 @@ std::string usual_value(const lab::Proposal& proposal, const ImportChoices& choi
   return fmt::format("{:g}", value.usual.front());
 }
 
+/// The strains and stresses of the table are used as they are, without dimensions.
+bool is_reduced(const lab::Proposal& proposal) {
+  const auto has = [&](const char* quantity) { return proposal.has(quantity); };
+  return has("axial_strain") &&
+         (has("deviator_stress") || has("half_deviator_stress") || has("effective_axial_stress"));
+}
+
 }  // namespace
 
 const lab::LabelValue* AskedValue::label(const lab::Proposal& proposal) const {
@@ -113,7 +120,9 @@ ImportQuestion value_question(const lab::Proposal& proposal, const ImportChoices
           .explanation = std::string(value.explanation),
           .usual = usual_value(proposal, choices, value),
           .key = std::string(value.key),
-          .unit = std::string(value.unit)};
+          .unit = std::string(value.unit),
+          .is_optional = is_reduced(proposal) && (name == "height" || name == "diameter") &&
+                         !is_value_open(proposal, choices, name)};
 }
 
 bool is_value_open(const lab::Proposal& proposal, const ImportChoices& choices,

@@ -83,12 +83,14 @@ bool QuestionDialog::ask(const ImportQuestion& question) {
   const bool is_measured = question.about == ImportQuestion::About::value;
   const bool has_default = !is_measured && !question.usual.empty();
   const std::string prompt =
-      is_measured    ? fmt::format("answer in {}, such as {}: ", question.unit, question.usual)
+      is_measured    ? fmt::format("answer in {}, such as {}{}: ", question.unit, question.usual,
+                                question.is_optional ? ", or Enter to read it without" : "")
       : !has_default ? "answer: "
                      : fmt::format("answer{}{} [{}]: ", question.unit.empty() ? "" : " in ",
                                    question.unit, usual_of(question));
   while (true) {
     const std::string text = line(prompt);
+    if (question.is_optional && text.empty()) return true;
     if (!has_default && text.empty()) {
       report(fmt::format("The file does not contain this {}. Type it, or q to quit.",
                          is_measured ? "value" : "unit"));
