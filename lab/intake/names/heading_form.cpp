@@ -19,6 +19,7 @@ struct HeadingRules {
   QHash<char32_t, QString> characters, accents;
   QHash<QString, QString> umlauts, short_forms;
   std::bitset<0x80> replaced_ascii;  ///< characters below 0x80 that are in `characters`
+  QString repair_starts;             ///< first characters of what is repaired
   QString kept_signs;
   QSet<QString> kept_plurals;
 };
@@ -41,6 +42,7 @@ HeadingRules read_heading_rules() {
   const TomlTable repair = file.required_table("repair");
   for (const std::string& wrong : repair.keys())
     rules.repair.emplace_back(utf16(wrong), utf16(repair.text(wrong).value()));
+  for (const auto& [wrong, right] : rules.repair) rules.repair_starts += wrong.front();
   read_characters(file, "characters", rules.characters);
   constexpr char32_t kFirstFullWidth = 0xFF01, kLastFullWidth = 0xFF5E, kFullWidthOffset = 65248;
   for (char32_t wide = kFirstFullWidth; wide <= kLastFullWidth; ++wide)
@@ -119,7 +121,9 @@ QString repaired_text(QString heading) {
     return c.unicode() < rules.replaced_ascii.size() && !rules.replaced_ascii[c.unicode()];
   };
   if (std::ranges::all_of(heading, is_plain)) return heading;
-  for (const auto& [wrong, right] : rules.repair) heading.replace(wrong, right);
+  const auto may_be_broken = [&](QChar c) { return rules.repair_starts.contains(c); };
+  if (std::ranges::any_of(heading, may_be_broken))
+    for (const auto& [wrong, right] : rules.repair) heading.replace(wrong, right);
   QString repaired;
   repaired.reserve(heading.size());
   for (const char32_t c : heading.toUcs4()) {
@@ -184,10 +188,12 @@ QString heading_key(const QString& repaired) {
 std::vector<QString> name_keys(std::string_view name) {
   const QString written = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
   std::vector<QString> keys{heading_key(repaired_text(written))};
+  if (is_ascii(written)) return keys;
+  const QString lower = written.toLower();
   QString spelled_out;
-  for (const QChar c : written.toLower())
-    spelled_out += heading_rules().umlauts.value(QString(c), QString(c));
-  if (spelled_out != written.toLower()) {
+  for (const QChar c : lower)
+    spelled_out += c.unicode() < 0x80 ? c : heading_rules().umlauts.value(QString(c), QString(c));
+  if (spelled_out != lower) {
     QString other = heading_key(repaired_text(spelled_out));
     if (other != keys.front()) keys.push_back(std::move(other));
   }
