@@ -129,7 +129,7 @@ void add_paths(std::vector<Identity>& all) {
       stronger.emplace_back(kEffectiveRadial);
       all.push_back(constant(path.text + (" + " + pressure) + " is constant",
                              {{path.mean, 1}, {path.deviator, -path.fraction}, {u, 1}},
-                             std::move(stronger), u == kU ? -4 : -2));
+                             std::move(stronger), -4));
     }
   }
   for (const PathDefinition& path : kPaths)

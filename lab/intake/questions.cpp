@@ -205,8 +205,8 @@ class Questions {
         has_label("height") || has_label("consolidated_height") || has("specimen_height");
     const bool moves = has("axial_displacement") || has_gauge(false);
     const bool is_raw = moves || has("axial_force") || has_gauge(true);
-    if (!is_tall && ((moves && !is_strain_sure()) || (drains && !has("axial_strain")) ||
-                     has("volume_change")))
+    if (!is_tall &&
+        ((moves && !is_strain_sure()) || (drains && !has("axial_strain")) || has("volume_change")))
       ask(About::value, 0, "height", "--set specimen.height_mm=...");
     const bool is_sized = has("current_area") || has_label("diameter") ||
                           has("specimen_diameter") || has_label("area");

@@ -26,7 +26,7 @@ bool is_row(const TableStructure& structure, std::int64_t line, std::string_view
   if (line < structure.first_row_line) return false;
   if (structure.last_row_line > 0 && line > structure.last_row_line) return false;
   if (std::ranges::binary_search(structure.repeated_heading_lines, line)) return false;
-  return structure.comment.empty() || !text.starts_with(structure.comment);
+  return !begins_with_comment(text, structure.comment);
 }
 
 Rows rows_of(const TableSample& sample, const TableStructure& structure) {

@@ -71,8 +71,7 @@ class ClockCells {
   }
 
   bool take(std::string_view line) {
-    const auto& comment = layout_.dialect.comment;
-    if (!comment.empty() && line.starts_with(comment)) return false;
+    if (begins_with_comment(line, layout_.dialect.comment)) return false;
     split_cells(line, layout_.separator, row_);
     if (row_.size() < layout_.cell_count) return false;
     for (std::size_t i = 0; i < places_.size(); ++i)

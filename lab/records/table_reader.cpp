@@ -200,7 +200,7 @@ bool TableReader::skipped(std::string_view text) {
     if (blank_line_ == 0) blank_line_ = line();
     return true;
   }
-  if (!layout_.dialect.comment.empty() && text.starts_with(layout_.dialect.comment)) {
+  if (begins_with_comment(text, layout_.dialect.comment)) {
     if (layout_.dialect.comment_is_toml) keep_comment(text);
     return true;
   }

@@ -76,6 +76,14 @@ bool is_fill_text(std::string_view cell) {
   return cell.size() <= kMaxFillSize && lists.words.contains(folded(cell));
 }
 
+bool begins_with_comment(std::string_view line, std::string_view mark) {
+  if (mark.empty() || !line.starts_with(mark)) return false;
+  const std::string_view cell = line.substr(0, line.find_first_of(",;|\t \""));
+  const bool is_error_word = cell.ends_with('!') || cell.ends_with('?') || cell == "#N/A" ||
+                             cell == "#N/D" || cell == "#NV";
+  return !(is_error_word && is_fill_text(cell));
+}
+
 bool is_fill_number(double number) {
   if (!may_be_fill_number(number)) return false;
   const FillLists& lists = fill_lists();

@@ -9,6 +9,10 @@ namespace triax::lab {
 /// "1.#QNAN", "#DIV/0!" and other error words of spreadsheets, "<0.1". Letter case does not count.
 bool is_fill_text(std::string_view cell);
 
+/// True if a line is a comment by its mark; a first cell of "#DIV/0!" is no mark "#". False for an
+/// empty mark.
+bool begins_with_comment(std::string_view line, std::string_view mark);
+
 /// True if `number`, as it is printed in the file, is a code for "no value": -9999, -999.25, 9999,
 /// 7999, ends of the range of integers, and anything from 1e15 on (1e30, 9.9E37 and 9.91E37 of
 /// SCPI, the largest float), which no channel reaches in any unit.

@@ -10,6 +10,7 @@
 #include "lab/base/bad_input.hpp"
 #include "lab/base/line_reader.hpp"
 #include "lab/base/text.hpp"
+#include "lab/intake/cells/fill_values.hpp"
 #include "lab/intake/gauge_columns.hpp"
 #include "lab/intake/names/unit_names.hpp"
 #include "lab/intake/text/row_model.hpp"
@@ -78,7 +79,7 @@ bool has_headings(const Dialect& dialect, const Cells& cells) {
 }
 
 bool is_comment(const Dialect& dialect, std::string_view line) {
-  return !dialect.comment.empty() && line.starts_with(dialect.comment);
+  return begins_with_comment(line, dialect.comment);
 }
 
 bool holds_texts(const Dialect& dialect, const Head& head, std::size_t line) {

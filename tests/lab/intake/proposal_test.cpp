@@ -377,15 +377,19 @@ TEST_CASE("propose: the correction tells the corrected deviator stress") {
 }
 
 TEST_CASE("propose: s′ and t under the names of p′ and q are found by a rounded pore pressure") {
-  const Proposal found = proposal_of(
-      table("Time (min),Strain (%),u (kPa),Stresses q (kPa),Stresses p´ (kPa)", [](int i) {
-        const double t = 18 * std::tanh(0.4 * i), u = 300 + 22 * std::tanh(0.4 * i);
-        const double scatter = 0.3 * std::sin(7.0 * i);  // of the cell pressure
-        return fmt::format("{},{:.3f},{:.2f},{:.1f},{:.1f}", 100 * i, 0.94 * i, u, t,
-                           350.2 + scatter - u + t);
-      }));
-  CHECK(quantity_of(found, 3) == "half_deviator_stress");
-  CHECK(quantity_of(found, 4) == "mean_effective_stress_2d");
+  for (const double start : {300.0, 0.0}) {
+    const std::string u_name = start > 0 ? "u" : "Δu";
+    const Proposal found = proposal_of(
+        table("Time (min),Strain (%)," + u_name + " (kPa),Stresses q (kPa),Stresses p´ (kPa)",
+              [start](int i) {
+                const double t = 18 * std::tanh(0.4 * i), u = start + 22 * std::tanh(0.4 * i);
+                const double scatter = 0.3 * std::sin(7.0 * i);  // of the cell pressure
+                return fmt::format("{},{:.3f},{:.2f},{:.1f},{:.1f}", 100 * i, 0.94 * i, u, t,
+                                   start + 50.2 + scatter - u + t);
+              }));
+    CHECK(quantity_of(found, 3) == "half_deviator_stress");
+    CHECK(quantity_of(found, 4) == "mean_effective_stress_2d");
+  }
 }
 
 TEST_CASE("propose: a held pressure in coarse steps is the sum of effective and pore pressure") {

@@ -102,6 +102,15 @@ TEST_CASE("TableReader: a number with a remark is a missing cell of a foreign ta
                     Catch::Contains("is not a number"));
 }
 
+TEST_CASE("TableReader: a row that begins with an error word is a row beside comments") {
+  const auto table = read_whole(
+      "# Sample 7\nepsilon_a,q,p_prime\n0,0,100\n0.1,10,102\n#DIV/0!,20,104\n# paused\n0.3,30,106\n"
+      "0.4,35,108\n");
+  REQUIRE(table.rows.size() == 5);
+  CHECK(std::isnan(table.rows[2].si[index(axial_strain)]));
+  CHECK(table.rows[2].si[index(deviator_stress)] == 20e3);
+}
+
 TEST_CASE("our own format has no word for a missing value") {
   for (const std::string word :
        {"NaN", "nan", "-nan", "NA", "-", "null", "#DIV/0!", "inf", "-inf"}) {

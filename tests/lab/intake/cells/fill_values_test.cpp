@@ -31,6 +31,16 @@ TEST_CASE("is_fill_text: numbers, units and other words are no fill text", "[int
   CHECK_FALSE(is_fill_text(std::string_view("\0", 1)));
 }
 
+TEST_CASE("begins_with_comment: an error word of a spreadsheet is no comment", "[intake]") {
+  CHECK(begins_with_comment("# Sample 7", "#"));
+  CHECK(begins_with_comment("#Sample;7", "#"));
+  CHECK(begins_with_comment("##### results", "#"));
+  CHECK_FALSE(begins_with_comment("#DIV/0!;0.1;2", "#"));
+  CHECK_FALSE(begins_with_comment("#N/A,0.1,2", "#"));
+  CHECK_FALSE(begins_with_comment("0.1;2", "#"));
+  CHECK_FALSE(begins_with_comment("0.1;2", ""));
+}
+
 TEST_CASE("is_fill_number: codes of loggers, and no other number", "[intake]") {
   for (const double code :
        {-9999.0, -999.0,   -999.25,  -999.9,  -99999.0,     9999.0,

@@ -72,6 +72,7 @@ TEST_CASE("find_names: a symbol behind a name is stronger than the name, but not
             {"Deviator stress (σ1-σ3)", "deviator_stress"},
             {"Cell pressure (σ3)", "cell_pressure"},
             {"Time_stamp_of_reading", "clock"},
+            {"LOADCELL_INT", "axial_force"},
             {"Volumetric strain (ε)", "volumetric_strain"}})) {
     const HeadingNames names = find_names(heading);
     INFO(heading << ": " << candidates_text(names));
