@@ -36,17 +36,16 @@ RowsAhead::Block RowsAhead::read_block() {
   Block block;
   block.rows.reserve(kRowsOfBlock);
   try {
-    Row row;
     while (block.rows.size() < kRowsOfBlock && !block.is_last) {
       const std::size_t known = found_.size();
-      block.is_last = !reader_.next(row);
+      block.is_last = !reader_.next(row_);
       if (block.is_last)
         sequence_.finish(findings_);
       else
-        sequence_.add(row, findings_);
+        sequence_.add(row_, findings_);
       for (std::size_t i = known; i < found_.size(); ++i)
         block.found.emplace_back(block.rows.size(), found_[i]);
-      if (!block.is_last) block.rows.push_back(row);
+      if (!block.is_last) block.rows.push_back(row_);
     }
   } catch (...) {
     block.failure = std::current_exception();

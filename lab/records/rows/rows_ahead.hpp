@@ -60,6 +60,7 @@ class RowsAhead {
   Findings findings_;
   TableReader reader_;
   RowSequence sequence_;
+  Row row_;  ///< the last one: the reader needs it at the start of the next block
 
   std::mutex mutex_;
   std::condition_variable filled_, room_;

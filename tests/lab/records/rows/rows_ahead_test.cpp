@@ -92,6 +92,14 @@ TEST_CASE("rows read ahead, and what is found in them, are those of the reader a
   check_same(table("3000,30,900"));  // cut off
 }
 
+TEST_CASE("RowsAhead: an empty line before any row is found", "[threads]") {
+  // Rows are read in blocks: an empty line before the first row of one is no other.
+  for (const int row : {100, 512, 1024, 2048}) {
+    std::string text = table();
+    check_same(text.insert(text.find(fmt::format("\n{},", row)), "\n"));
+  }
+}
+
 TEST_CASE("a failure comes behind the rows before it", "[threads]") {
   REQUIRE(Read::alone(table("3000,thirty,900,1\n")).failure.find("thirty") != std::string::npos);
   check_same(table("3000,thirty,900,1\n"));
