@@ -125,7 +125,7 @@ struct RecordedRig::Impl {
   std::vector<std::string> stage_names;      ///< of a stage column with words, stage 1 first
   std::optional<double> held_cell_pressure;  ///< that every reading is given
   std::array<bool, kQuantityCount> filled{};
-  Row row;
+  std::int64_t last_line = 0;
   Reading first;
   bool waiting = false;
   bool over = false;
@@ -407,10 +407,13 @@ int RecordedRig::Impl::stage_of(const Row& drawn) {
 }
 
 bool RecordedRig::Impl::draw(Reading& reading) {
-  if (over || !spread->next(row)) {
+  Row* const drawn = over ? nullptr : spread->next();
+  if (!drawn) {
     finish();
     return false;
   }
+  Row& row = *drawn;
+  last_line = row.line;
   const int number = stage_of(row);
   const bool begins = count == 0 || number != stage;
   stage = number;
@@ -437,7 +440,7 @@ bool RecordedRig::Impl::draw(Reading& reading) {
 void RecordedRig::Impl::finish() {
   if (over) return;
   if (time_line.stands_still())
-    throw BadInput(layout.file, row.line,
+    throw BadInput(layout.file, last_line,
                    fmt::format("the time is the same in all {} rows; leave the time column out",
                                time_line.rows()));
   std::vector<Quantity> held;

@@ -75,7 +75,8 @@ bool RowsAhead::take_block() {
   block_ = std::move(blocks_.front());
   blocks_.pop_front();
   next_ = told_ = 0;
-  room_.notify_one();
+  // Waking the thread for one block at a time costs more than reading it.
+  if (blocks_.size() <= kBlocks / 2) room_.notify_one();
   return true;
 }
 

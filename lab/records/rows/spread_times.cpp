@@ -8,45 +8,47 @@
 
 namespace triax::lab {
 
-bool SpreadTimes::next(Row& row) {
-  if (returned_ == group_.size()) read_group();
-  if (group_.empty()) {
+Row* SpreadTimes::next() {
+  if (returned_ < group_.size()) return &group_[returned_++];
+  if (!std::exchange(has_begun_, true)) read_following();
+  if (!has_following_) {
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
-    return false;
+    return nullptr;
   }
-  row = group_[returned_++];
-  return true;
+  std::swap(current_, following_);
+  read_following();
+  if (!has_following_ || !is_repeated(*current_)) return current_;
+  read_group(*current_);
+  return &group_[returned_++];
 }
 
-std::optional<Row> SpreadTimes::read() {
-  if (failure_) return std::nullopt;
-  Row row;
+void SpreadTimes::read_following() {
+  has_following_ = false;
   try {
-    if (source_(row)) return row;
+    has_following_ = source_(*following_);
   } catch (...) {
     failure_ = std::current_exception();
   }
-  return std::nullopt;
 }
 
-bool SpreadTimes::is_repeated(Row& row) {
-  Row& first = group_.front();
-  const bool same_stage =
-      row.stage == first.stage || (std::isnan(row.stage) && std::isnan(first.stage));
-  return same_stage && time_of(row) == time_of(first);
+bool SpreadTimes::is_repeated(Row& first) {
+  return time_of(*following_) == time_of(first) &&
+         (following_->stage == first.stage ||
+          (std::isnan(following_->stage) && std::isnan(first.stage)));
 }
 
-void SpreadTimes::read_group() {
-  group_.clear();
+/// Pre-condition: `first` is repeated.
+void SpreadTimes::read_group(const Row& first) {
+  group_ = {first};
   returned_ = 0;
-  auto row = following_ ? std::exchange(following_, std::nullopt) : read();
-  if (!row) return;
-  group_.push_back(*row);
-  while ((row = read()) && is_repeated(*row) && group_.size() < kMaxRows) group_.push_back(*row);
-  following_ = row;
-  if (!row || group_.size() == 1) return;
-  const bool same_stage = row->stage == group_.front().stage || std::isnan(row->stage);
-  if (same_stage && time_of(*row) > time_of(group_.front())) spread(time_of(*row));
+  do {
+    group_.push_back(*following_);
+    read_following();
+  } while (has_following_ && group_.size() < kMaxRows && is_repeated(group_.front()));
+  if (!has_following_) return;
+  const bool same_stage =
+      following_->stage == group_.front().stage || std::isnan(following_->stage);
+  if (same_stage && time_of(*following_) > time_of(group_.front())) spread(time_of(*following_));
 }
 
 void SpreadTimes::spread(double next_time_s) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <array>
 #include <exception>
 #include <functional>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,23 +23,30 @@ class SpreadTimes {
 
   SpreadTimes(std::function<bool(Row&)> source, bool has_stage_time, Findings& findings)
       : source_(std::move(source)), has_stage_time_(has_stage_time), findings_(findings) {}
+  SpreadTimes(const SpreadTimes&) = delete;
+  SpreadTimes& operator=(const SpreadTimes&) = delete;
 
-  bool next(Row& row);
+  /// The next row, until the next call; null at the end.
+  Row* next();
 
  private:
   double& time_of(Row& row) const { return has_stage_time_ ? row.stage_time_s : row.time_s; }
-  bool is_repeated(Row& row);
-  std::optional<Row> read();
-  void read_group();
+  bool is_repeated(Row& first);
+  void read_following();
+  void read_group(const Row& first);
   void spread(double next_time_s);
 
   std::function<bool(Row&)> source_;
   bool has_stage_time_;
   Findings& findings_;
-  std::vector<Row> group_;        ///< rows of one time
-  std::size_t returned_ = 0;      ///< of them
-  std::optional<Row> following_;  ///< the first row after them
-  std::exception_ptr failure_;    ///< of the source, after them
+  std::vector<Row> group_;    ///< rows of one repeated time
+  std::size_t returned_ = 0;  ///< of them
+  std::array<Row, 2> rows_;   ///< for the two that follow
+  Row* current_ = rows_.data();
+  Row* following_ = rows_.data() + 1;  ///< the first row after them
+  bool has_following_ = false;         ///< false before the first row and at the end
+  bool has_begun_ = false;
+  std::exception_ptr failure_;  ///< of the source, after them
 };
 
 }  // namespace triax::lab

@@ -32,9 +32,8 @@ SpreadRows spread_rows(const std::vector<double>& stamps, const std::vector<doub
         return true;
       },
       false, findings);
-  Row row;
   try {
-    while (times.next(row)) out.times.push_back(row.time_s);
+    while (const Row* const row = times.next()) out.times.push_back(row->time_s);
   } catch (const std::runtime_error&) {
     out.failed = true;
   }
