@@ -39,23 +39,30 @@ class FileSource : public ByteSource {
   std::size_t read(std::span<char> into) override {
     ssize_t count = 0;
     do {
-      count = ::read(descriptor_, into.data(), into.size());
+      count = ::pread(descriptor_, into.data(), into.size(), static_cast<off_t>(at_));
     } while (count < 0 && errno == EINTR);
     if (count < 0) throw WorkFailed(name_ + ": cannot be read: " + std::strerror(errno));
+    at_ += static_cast<std::uint64_t>(count);
     return static_cast<std::size_t>(count);
   }
-  void rewind() override { ::lseek(descriptor_, 0, SEEK_SET); }
-  bool is_seekable() const override { return true; }
-  void skip(std::uint64_t count) override {
-    ::lseek(descriptor_, static_cast<off_t>(count), SEEK_CUR);
+  void rewind() override { at_ = 0; }
+  std::unique_ptr<ByteSource> duplicate() const override {
+    const int descriptor = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+    if (descriptor < 0) return nullptr;
+    return std::unique_ptr<FileSource>(new FileSource(name_, descriptor, size_));
   }
+  bool is_seekable() const override { return true; }
+  void skip(std::uint64_t count) override { at_ += count; }
 
  private:
+  FileSource(std::string name, int descriptor, std::uint64_t size)
+      : name_(std::move(name)), descriptor_(descriptor), size_(size) {}
   [[noreturn]] void cannot_open() const { throw BadInput(name_, 0, describe_open_error(errno)); }
 
   std::string name_;
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
+  std::uint64_t at_ = 0;  ///< of the next byte; a duplicate has its own
 };
 
 class MemorySource : public ByteSource {

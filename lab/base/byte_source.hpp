@@ -26,6 +26,9 @@ class ByteSource {
   virtual void rewind() = 0;
   /// The bytes as they lie on disk, where read() gives a sheet in them as text; else this one.
   virtual ByteSource& file() { return *this; }
+  /// The same bytes from the first one on, for another thread; null if this source has no
+  /// duplicate.
+  virtual std::unique_ptr<ByteSource> duplicate() const { return nullptr; }
   /// Passes over `count` bytes, or the rest if there are fewer. Reads them unless the medium can do
   /// without.
   virtual void skip(std::uint64_t count);

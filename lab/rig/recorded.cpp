@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <future>
 #include <set>
 
 #include <fmt/format.h>
@@ -77,12 +78,15 @@ struct RecordedRig::Impl {
     read_document(metadata_file, metadata);
     const auto stated = stated_values(options);
     apply_values(stated, false);
+    const auto duplicate = source->file().duplicate();
+    auto digest = std::async(duplicate ? std::launch::async : std::launch::deferred,
+                             [&] { return sha256(duplicate ? *duplicate : source->file()); });
     settle_cell_pressure();
     settle_channels();
     settle_stages();
     check_stages_to_set(stated);
     apply_values(stated, true);
-    header.digest = sha256(source->file());
+    header.digest = digest.get();
     if (!layout.test.empty())
       header.digest = sha256(*open_memory(layout.file, header.digest + '\n' + layout.test));
     rows.emplace(*source, layout, findings, header.warnings);

@@ -36,6 +36,20 @@ TEST_CASE("a file is read like memory") {
   CHECK(all_of(*file) == text);
 }
 
+TEST_CASE("ByteSource: a duplicate of a file reads from the first byte by itself") {
+  auto file = open_file("samples/dialects/my_lab_record.txt");
+  file->skip(100);
+  const auto duplicate = file->duplicate();
+  REQUIRE(duplicate);
+  CHECK(duplicate->name() == file->name());
+  const auto text = all_of(*duplicate);
+  CHECK(text.size() == file->size());
+  CHECK(all_of(*file) == text.substr(100));
+  file.reset();
+  duplicate->rewind();
+  CHECK(all_of(*duplicate) == text);
+}
+
 TEST_CASE("what is no readable file is refused with the reason") {
   CHECK_THROWS_WITH(open_file("samples"), Catch::Contains("samples: is a folder"));
   CHECK_THROWS_WITH(open_file("samples/none.csv"), Catch::Contains("file does not exist"));
