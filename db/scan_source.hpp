@@ -14,6 +14,9 @@ struct sqlite3;
 namespace triax::db {
 
 struct Scan {
+  Scan() = default;
+  Scan(const lab::Reading& its_reading, const lab::State& its_state)
+      : reading(its_reading), state(its_state) {}
   lab::Reading reading;
   lab::State state;
 };

@@ -40,8 +40,8 @@ struct Recorder::Impl {
   }
 
   void start(const lab::RecordHeader& header);
-  template <class Row>
-  void add(std::vector<Row> Batch::*rows, Row row);
+  template <class Row, class... Parts>
+  void add(std::vector<Row> Batch::*rows, const Parts&... parts);
   void end(Ending ending, const lab::TestSummary* summary);
   void discard();
   bool started() const { return writer_.joinable() || ending_ != Ending::none; }
@@ -107,13 +107,13 @@ void Recorder::Impl::rethrow_failure() {
   if (failure_) std::rethrow_exception(failure_);
 }
 
-template <class Row>
-void Recorder::Impl::add(std::vector<Row> Batch::*rows, Row row) {
+template <class Row, class... Parts>
+void Recorder::Impl::add(std::vector<Row> Batch::*rows, const Parts&... parts) {
   std::unique_lock lock(mutex_);
   if (filling_.rows() >= kRowsAtMost)
     room_.wait(lock, [this] { return filling_.rows() < kRowsAtMost || failure_; });
   rethrow_failure();
-  (filling_.*rows).push_back(std::move(row));
+  (filling_.*rows).emplace_back(parts...);
   if (filling_.rows() == kRowsDue || (filling_.rows() == 1 && enters_at_once())) due_.notify_one();
 }
 
@@ -279,10 +279,8 @@ lab::SessionListener Recorder::listener() {
   Impl* const impl = impl_.get();
   return {
       .started = [impl](const lab::RecordHeader& header) { impl->start(header); },
-      .scanned =
-          [impl](const lab::Reading& reading, const lab::State& state) {
-            impl->add(&Batch::scans, Scan{reading, state});
-          },
+      .scanned = [impl](const lab::Reading& reading,
+                        const lab::State& state) { impl->add(&Batch::scans, reading, state); },
       .second_order_work =
           [impl](const lab::SecondOrderWorkPoint& point) { impl->add(&Batch::work, point); },
       .happened = [impl](const lab::Event& event) { impl->add(&Batch::events, event); },

@@ -93,7 +93,7 @@ void JudgedStates::note_volume_gauge(const Reading& reading) {
 
 void JudgedStates::add(const Reading& reading, const State& state) {
   note_volume_gauge(reading);
-  held_.push_back({.reading = reading, .state = volume_.completed(state)});
+  held_.emplace_back(reading, volume_.completed(state));
   health_.watch(reading);
   for (const auto& wrong : health_.wrong()) mark(wrong);
 }

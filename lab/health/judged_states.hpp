@@ -29,6 +29,8 @@ class JudgedStates {
   static constexpr std::int64_t kShortGap = 5;  ///< readings that may be left out without more ado
 
   struct Judged {
+    Judged(const Reading& its_reading, const State& its_state)
+        : reading(its_reading), state(its_state) {}
     Reading reading;
     State state;
     ChannelSet wrong = 0;     ///< channels that cannot be believed at this reading
