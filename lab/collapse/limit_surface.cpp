@@ -16,23 +16,22 @@ namespace {
 namespace limits = assessment_limits;
 constexpr const char* kGiveAngle = "give --set specimen.limit_friction_angle_deg=...";
 
-/// 3 − sin φ in compression, 3 + sin φ in extension.
-double denominator(double angle, bool compression) {
-  return compression ? 3 - std::sin(angle) : 3 + std::sin(angle);
-}
-
 }  // namespace
 
-LimitSurface::LimitSurface(const SpecimenInfo& specimen)
-    : given_angle_(specimen.limit_friction_angle_rad),
-      cohesion_pa_(specimen.cohesion_pa.value_or(0)) {}
+LimitSurface::Angle::Angle(double angle_rad)
+    : rad(angle_rad), sine(std::sin(angle_rad)), cosine(std::cos(angle_rad)) {}
 
-double LimitSurface::strength_at(double angle, double p_eff_pa, bool compression) const {
-  return 6 * (p_eff_pa * std::sin(angle) + cohesion_pa_ * std::cos(angle)) /
-         denominator(angle, compression);
+LimitSurface::LimitSurface(const SpecimenInfo& specimen)
+    : cohesion_pa_(specimen.cohesion_pa.value_or(0)) {
+  if (specimen.limit_friction_angle_rad) given_angle_.emplace(*specimen.limit_friction_angle_rad);
 }
 
-bool LimitSurface::is_below(double q_pa, double p_eff_pa, double angle) const {
+double LimitSurface::strength_at(const Angle& angle, double p_eff_pa, bool compression) const {
+  return 6 * (p_eff_pa * angle.sine + cohesion_pa_ * angle.cosine) /
+         (compression ? 3 - angle.sine : 3 + angle.sine);
+}
+
+bool LimitSurface::is_below(double q_pa, double p_eff_pa, const Angle& angle) const {
   return std::fabs(q_pa) < limits::kInside * strength_at(angle, p_eff_pa, q_pa >= 0);
 }
 
@@ -40,6 +39,14 @@ bool LimitSurface::is_below(double q_pa, double p_eff_pa, double angle) const {
 double LimitSurface::mobilised_angle(double q_pa, double p_eff_pa) const {
   const double along = 6 * p_eff_pa + q_pa, across = 6 * cohesion_pa_;
   return std::asin(3 * std::fabs(q_pa) / std::hypot(along, across)) - std::atan2(across, along);
+}
+
+bool LimitSurface::is_steep(double q_pa, double p_eff_pa) const {
+  // sin φ is at most 3|q|/(6p' + q) for any cohesion. kRounding is far above rounding errors.
+  constexpr double kRounding = 1e-6;
+  const double along = 6 * p_eff_pa + q_pa;
+  if (3 * std::fabs(q_pa) < (1 - kRounding) * std::sin(limits::kSteepest) * along) return false;
+  return mobilised_angle(q_pa, p_eff_pa) > limits::kSteepest;
 }
 
 void LimitSurface::add(double reading, double q_pa, double p_eff_pa) {
@@ -56,11 +63,11 @@ void LimitSurface::add(double reading, double q_pa, double p_eff_pa) {
 }
 
 void LimitSurface::watch_softening(double p_eff_pa, double angle) {
-  if (angle >= largest_angle_.value_or(0)) {
-    largest_angle_ = angle;
+  if (angle >= (largest_angle_ ? largest_angle_->rad : 0)) {
+    largest_angle_.emplace(angle);
     p_at_largest_ = p_eff_pa;
     softened_ = false;
-  } else if (std::sin(angle) < limits::kBand * std::sin(*largest_angle_) &&
+  } else if (std::sin(angle) < limits::kBand * largest_angle_->sine &&
              p_eff_pa >= limits::kBand * p_at_largest_) {
     softened_ = true;
   }
@@ -68,7 +75,7 @@ void LimitSurface::watch_softening(double p_eff_pa, double angle) {
 
 void LimitSurface::follow_walk(double reading, double strength_pa, double angle) {
   if (!(angle > 0)) return;
-  const bool near = std::sin(angle) >= limits::kInside * std::sin(*largest_angle_);
+  const bool near = std::sin(angle) >= limits::kInside * largest_angle_->sine;
   // A new largest ratio beyond the walk's begins another one.
   if (!near || std::sin(angle) * limits::kBand > std::sin(walk_least_)) {
     walk_start_.reset();
@@ -81,13 +88,13 @@ void LimitSurface::follow_walk(double reading, double strength_pa, double angle)
   walk_angle_ = std::max(walk_angle_, angle);
   walk_least_ = std::min(walk_least_, angle);
   if (strength_pa < (1 + limits::kWalk) * *walk_start_) return;
-  if (!walks_.empty() && walk_angle_ <= 1.01 * walks_.back().angle) return;
-  if (walks_.size() < kMostWalks) walks_.push_back({reading, walk_angle_});
+  if (!walks_.empty() && walk_angle_ <= 1.01 * walks_.back().angle.rad) return;
+  if (walks_.size() < kMaxWalks) walks_.push_back({reading, Angle(walk_angle_)});
 }
 
 std::optional<double> LimitSurface::stress_ratio() const {
   const auto& angle = given_angle_ ? given_angle_ : largest_angle_;
-  return angle ? std::optional(sim::stress_ratio_at_friction_angle(*angle)) : std::nullopt;
+  return angle ? std::optional(sim::stress_ratio_at_friction_angle(angle->rad)) : std::nullopt;
 }
 
 std::optional<double> LimitSurface::intercept_pa() const {
@@ -108,7 +115,7 @@ std::string LimitSurface::source(bool is_known) const {
   return fmt::format(
       "unknown: no friction angle is given, and the {:.1f}° mobilised in this test may be below "
       "it; {}",
-      sim::degrees(*largest_angle_), kGiveAngle);
+      sim::degrees(largest_angle_->rad), kGiveAngle);
 }
 
 std::optional<bool> LimitSurface::inside(double q_pa, double p_eff_pa, double onset_reading) const {
@@ -125,7 +132,7 @@ bool LimitSurface::went_beyond(double q_pa, double p_eff_pa) const {
 }
 
 std::string LimitSurface::needs_cohesion(double q_pa, double p_eff_pa) const {
-  if (given_angle_ || !(mobilised_angle(q_pa, p_eff_pa) > limits::kSteepest)) return {};
+  if (given_angle_ || !is_steep(q_pa, p_eff_pa)) return {};
   return fmt::format(
       "q/p' is {:.2f}, {:.1f}° of friction without cohesion, more than friction alone carries: "
       "over-consolidated clay, cemented soil and rock have cohesion. With c' and φ' unknown a loss "

@@ -46,23 +46,31 @@ class LimitSurface {
   bool went_beyond(double q_pa, double p_eff_pa) const;
   /// Mobilised friction angle (rad) with the given cohesion; NaN if there is none.
   double mobilised_angle(double q_pa, double p_eff_pa) const;
+  /// True if mobilised_angle() is larger than kSteepest; in most states found without arc
+  /// functions.
+  bool is_steep(double q_pa, double p_eff_pa) const;
   /// The reason if no limit is given and friction alone does not explain the stress ratio; empty
   /// otherwise.
   std::string needs_cohesion(double q_pa, double p_eff_pa) const;
 
  private:
-  static constexpr std::size_t kMostWalks = 64;
+  static constexpr std::size_t kMaxWalks = 64;
+  /// A friction angle with its sine and cosine, which are needed at every reading.
+  struct Angle {
+    explicit Angle(double angle_rad);
+    double rad, sine, cosine;
+  };
   struct Walk {
     double reading = 0;  ///< at which it had been long enough
-    double angle = 0;
+    Angle angle;
   };
   void watch_softening(double p_eff_pa, double angle);
   void follow_walk(double reading, double strength_pa, double angle);
 
-  double strength_at(double angle, double p_eff_pa, bool compression) const;
-  bool is_below(double q_pa, double p_eff_pa, double angle) const;
+  double strength_at(const Angle& angle, double p_eff_pa, bool compression) const;
+  bool is_below(double q_pa, double p_eff_pa, const Angle& angle) const;
 
-  std::optional<double> given_angle_, largest_angle_;  ///< friction angles, rad
+  std::optional<Angle> given_angle_, largest_angle_;
   double cohesion_pa_ = 0;
   double p_largest_ = 0;
   double p_at_largest_ = 0;           ///< where the angle was largest

@@ -128,7 +128,7 @@ bool Plausibility::add(const State& s) {
   highest_strain_ = std::max(highest_strain_, strain);
   if (!(s.p_eff > kWorth * first_->p_eff)) return true;
   if (!tension_ && smaller_stress(s) < 0) tension_ = s;
-  if (!steep_ && limit_.mobilised_angle(s.q, s.p_eff) > assessment_limits::kSteepest) steep_ = s;
+  if (!steep_ && limit_.is_steep(s.q, s.p_eff)) steep_ = s;
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lab/measured/assessment_limits.hpp"
 #include "lab/results/summary.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 
@@ -141,6 +142,21 @@ TEST_CASE("LimitSurface: the mobilised angle is that of Mohr's circle") {
   CHECK(sim::degrees(limit.mobilised_angle(-q, 40e3 + 2 * q / 3)) == Approx(22));
   const LimitSurface friction({});
   CHECK(friction.mobilised_angle(120e3, 100e3) == Approx(sim::mobilised_friction_angle(1.2)));
+}
+
+TEST_CASE("LimitSurface: a state is steep if its mobilised angle is above the limit") {
+  constexpr double kLimit = assessment_limits::kSteepest;
+  const double at_limit = sim::stress_ratio_at_friction_angle(kLimit);
+  for (const double cohesion : {0.0, 30e3}) {
+    const LimitSurface limit(with_cohesion(cohesion, 35));
+    for (const double p : {-20e3, 0.0, 50e3, 100e3})
+      for (const double ratio : {-3.0, -1.0, 0.0, 0.3, 1 - 1e-3, 1 - 1e-9, 1.0, 1 + 1e-9, 1.2, 4.0})
+        CHECK(limit.is_steep(ratio * at_limit * p, p) ==
+              (limit.mobilised_angle(ratio * at_limit * p, p) > kLimit));
+  }
+  CHECK_FALSE(LimitSurface({}).is_steep(1.95 * kP, kP));  // 47°
+  CHECK(LimitSurface({}).is_steep(2.2 * kP, kP));         // 54°
+  CHECK_FALSE(LimitSurface({}).is_steep(std::numeric_limits<double>::quiet_NaN(), kP));
 }
 
 TEST_CASE("LimitSurface: without cohesion a steep ratio is explained by it") {
