@@ -173,7 +173,7 @@ std::unique_ptr<ByteSource> chosen_sheet(ZipArchive archive, std::unique_ptr<Byt
                          : std::make_shared<const SheetRoles>(find_roles(book, options));
   if (wanted.empty() && !roles->tests.empty()) wanted = roles->tests.front();
   if (!wanted.empty()) return book.open(book.book->sheet(wanted), roles);
-  if (auto sheet = largest_table(book, roles)) return sheet;  // which says what it lacks
+  if (auto sheet = largest_table(book, roles)) return sheet;  // the error names what it lacks
   refuse_workbook(book, options);
 }
 

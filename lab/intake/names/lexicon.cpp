@@ -146,7 +146,7 @@ bool is_symbol_with_index(const QString& text) {
   return has_symbol_character(text) && without_outer(text, u"()[]").size() > 1;
 }
 
-/// "of reading" tells more about the name before it and is no name of its own.
+/// "of reading" belongs to the name before it and is no name of its own.
 bool begins_with_of(const QString& text) {
   const auto tokens = heading_tokens(text);
   return !tokens.empty() && search_rules().of_words.contains(tokens.front());

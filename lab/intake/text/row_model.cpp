@@ -245,7 +245,7 @@ void trim_runs(RowModel& model, const TableSample& sample) {
 }
 
 /// A row in which many values are missing, directly above the others: no column of values has
-/// text. Between blanks an empty cell is none.
+/// text. Between spaces an empty cell is none.
 bool is_sparse_row(const RowModel& model, const ShapedLine& line) {
   if (line.is_comment || line.numbers == 0) return false;
   if (model.separator == Separator::blanks || model.separator == Separator::wide_blanks)
