@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,8 +18,12 @@ Row* SpreadTimes::next() {
   }
   std::swap(current_, following_);
   read_following();
-  if (!has_following_ || !is_repeated(*current_)) return current_;
+  if (!has_following_ || !is_repeated(*current_)) {
+    end_time(*current_, 1);
+    return current_;
+  }
   read_group(*current_);
+  end_time(group_.front(), group_.size());
   return &group_[returned_++];
 }
 
@@ -45,10 +50,23 @@ void SpreadTimes::read_group(const Row& first) {
     group_.push_back(*following_);
     read_following();
   } while (has_following_ && group_.size() < kMaxRows && is_repeated(group_.front()));
-  if (!has_following_) return;
+}
+
+/// All `count` rows of a time are known, and the row after them.
+void SpreadTimes::end_time(Row& first, std::size_t count) {
+  const double time = time_of(first);
   const bool same_stage =
-      following_->stage == group_.front().stage || std::isnan(following_->stage);
-  if (same_stage && time_of(*following_) > time_of(group_.front())) spread(time_of(*following_));
+      has_following_ && (following_->stage == first.stage || std::isnan(following_->stage));
+  if (same_stage && time_of(*following_) > time) {
+    step_s_ = time_of(*following_) - time;
+    before_ = count;
+    if (count > 1) spread(time_of(*following_));
+  } else if (!same_stage) {
+    // As far apart as the rows of the time before.
+    const double share = static_cast<double>(count) / static_cast<double>(before_);
+    if (count > 1 && before_ > 1) spread(time + step_s_ * std::min(1.0, share));
+    before_ = 0;
+  }
 }
 
 void SpreadTimes::spread(double next_time_s) {

@@ -14,9 +14,11 @@ namespace triax::lab {
 /// Spreads the times (s) of rows that repeat a time of a rounded clock evenly up to the next time:
 /// 10, 10, 11 becomes 10, 10.5, 11. Reads ahead to the next time, by kMaxRows rows at most.
 ///
-/// The time within the stage is spread if the record has one, otherwise the time of the test. Rows
-/// are returned unchanged if no later time of the same stage follows. Each repeated time is a
-/// finding. Failures of the source are thrown after the rows before them were returned.
+/// The time within the stage is spread if the record has one, otherwise the time of the test. If no
+/// later time of the same stage follows and the time before was repeated, too, the rows are spread
+/// at the distance of the rows before them, at most over the time that those took; else they are
+/// returned unchanged. Each repeated time is a finding. Failures of the source are thrown after the
+/// rows before them were returned.
 class SpreadTimes {
  public:
   static constexpr std::size_t kMaxRows = 1000;
@@ -34,6 +36,7 @@ class SpreadTimes {
   bool is_repeated(Row& first);
   void read_following();
   void read_group(const Row& first);
+  void end_time(Row& first, std::size_t count);
   void spread(double next_time_s);
 
   std::function<bool(Row&)> source_;
@@ -41,6 +44,8 @@ class SpreadTimes {
   Findings& findings_;
   std::vector<Row> group_;    ///< rows of one repeated time
   std::size_t returned_ = 0;  ///< of them
+  double step_s_ = 0;         ///< between the last two times
+  std::size_t before_ = 0;    ///< rows of the time before
   std::array<Row, 2> rows_;   ///< for the two that follow
   Row* current_ = rows_.data();
   Row* following_ = rows_.data() + 1;  ///< the first row after them

@@ -66,6 +66,15 @@ TEST_CASE("SpreadTimes: times that increase or have no successor keep their bits
   CHECK(spread_rows({}).times.empty());
 }
 
+TEST_CASE("SpreadTimes: the last rows of a rounded clock are as far apart as those before") {
+  const std::vector<double> fewer{0, 20, 40, 60, 80, 100, 120, 140};
+  CHECK(spread_rows({0, 0, 0, 60, 60, 60, 120, 120}).times == fewer);
+  const std::vector<double> more{0, 30, 60, 75, 90, 105};
+  CHECK(spread_rows({0, 0, 60, 60, 60, 60}).times == more);
+  const std::vector<double> other_stage{0, 30, 60, 90, 0, 0};
+  CHECK(spread_rows({0, 0, 60, 60, 0, 0}, {1, 1, 1, 1, 2, 2}).times == other_stage);
+}
+
 TEST_CASE("SpreadTimes: a clock that stands still is read in constant memory") {
   const std::vector<double> stands(3 * SpreadTimes::kMaxRows, 7.0);
   CHECK(spread_rows(stands).times == stands);
