@@ -82,6 +82,7 @@ bool are_whole(const std::vector<double>& values) {
 double common_direction_evidence(const Identity& identity, SeriesSpan s,
                                  const SpecimenValues& /*specimen*/) {
   constexpr double kRelevant = 3;
+  constexpr double kUnloaded = 0.05;  // of the largest load
   std::vector<double> x, y;
   for (std::size_t row = 0; row < s[0]->values.size(); ++row)
     if (is_complete(s, row)) {
@@ -96,7 +97,14 @@ double common_direction_evidence(const Identity& identity, SeriesSpan s,
   const auto at =
       std::ranges::max_element(y, {}, [&](double value) { return std::fabs(value - y_first); });
   const double dy = *at - y_first;
-  const double dx = x[static_cast<std::size_t>(at - y.begin())] - x_first;
+  // Consolidation shortens a specimen that is then extended.
+  const auto is_unloaded = [&](double value) {
+    return std::fabs(value - y_first) <= kUnloaded * std::fabs(dy);
+  };
+  const auto loads = std::find_if(std::make_reverse_iterator(at), y.rend(), is_unloaded);
+  const double x_unloaded =
+      loads == y.rend() ? x_first : x[static_cast<std::size_t>(loads.base() - y.begin()) - 1];
+  const double dx = x[static_cast<std::size_t>(at - y.begin())] - x_unloaded;
   if (std::fabs(dy) <= kRelevant * s[1]->half_unit || std::fabs(dx) <= kRelevant * s[0]->half_unit)
     return 0;
   return dx * dy > 0 ? identity.highest : identity.lowest;
