@@ -173,7 +173,7 @@ void ChannelHealth::follow_run(std::int64_t number, double value) {
   noise_.add(value);
   if (noise_.run() == 0) return;
   if (noise_.run() == 1) run_from_ = number;
-  if (may_rest_) return;
+  if (rests_rightly()) return;
   const auto limit = noise_.impossible_run();
   if (!limit) return;
   const auto wait =
@@ -306,7 +306,7 @@ std::int64_t ChannelHealth::first_doubt() const {
   if (gap_ > 0 && steady_ >= kSteady) first = std::min(first, gap_from_);
   if (leap_) first = std::min(first, *leap_);
   if (jump_ && noise_.run() < kFlat) first = std::min(first, jump_begin_);
-  if (!may_rest_ && noise_.run() > 0 && noise_.impossible_run())
+  if (!rests_rightly() && noise_.run() > 0 && noise_.impossible_run())
     first = std::min(first, jump_ ? jump_begin_ : run_from_);
   return first;
 }

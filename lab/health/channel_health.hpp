@@ -49,10 +49,12 @@ class ChannelHealth {
   };
 
   /// For `finest` see ChannelNoise; `patience` stretches the wait for a stuck channel: a controlled
-  /// quantity may rightly rest. For
-  /// `worth` see worth_of.
-  explicit ChannelHealth(double finest, double patience = 1, double worth = 0)
-      : patience_(patience), worth_(worth), noise_(finest) {}
+  /// quantity may rightly rest. For `worth` see worth_of. `printed_as_set`: the channel may be what
+  /// a controller was set to, without noise, so that only a rest after a jump of more than `worth`
+  /// is a fault.
+  explicit ChannelHealth(double finest, double patience = 1, double worth = 0,
+                         bool printed_as_set = false)
+      : patience_(patience), worth_(worth), printed_as_set_(printed_as_set), noise_(finest) {}
 
   /// Whether the channel may rightly stand still from now on, however noisy it was: then the noise
   /// is no ground to call it stuck.
@@ -119,7 +121,13 @@ class ChannelHealth {
   /// By how many times what the level itself moves the values leave it; 0: not by allowed_.
   double leaves(const Level& level, int width, double first, double last) const;
 
+  /// Whether the channel may rest as it does now.
+  bool rests_rightly() const {
+    return may_rest_ || (printed_as_set_ && !(jump_ && jump_height_ > worth_));
+  }
+
   double patience_, worth_;
+  bool printed_as_set_;
   bool may_rest_ = false;
   ChannelNoise noise_;
   std::array<Value, kWindow> window_{};  ///< the last values, oldest first

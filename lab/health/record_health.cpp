@@ -16,7 +16,7 @@ namespace {
 /// From so many times its noise a change of p′ is one.
 constexpr double kNoises = 6;
 /// Change of the pore pressure that a controller at rest does not make.
-constexpr double kLeastAnswer_pa = 200;
+constexpr double kMinAnswer_pa = 200;
 
 }  // namespace
 
@@ -28,7 +28,8 @@ RecordHealth::RecordHealth(const RecordHeader& header) : header_(header), raw_(h
   for (Quantity q : header.columns)
     if (!header.is_raw() || is_raw(q))
       channels_.push_back({.quantity = q,
-                           .health = ChannelHealth(finest_of(q), patience_of(q), worth_of(q)),
+                           .health = ChannelHealth(finest_of(q), patience_of(q), worth_of(q),
+                                                   header.is_foreign() && info(q).raw.held),
                            .open = {}});
 }
 
@@ -44,6 +45,7 @@ void RecordHealth::start_stage(const Reading& reading) {
   drained_ = shear_ && info->drainage == Drainage::open && path_flow_.value_or(1) > kLeastFlow;
   fell_ = false;
   closed_ = info && info->drainage == Drainage::closed;
+  open_ = info && info->drainage == Drainage::open;
   held_ = info && info->role == StageRole::hold;
   for (Channel& channel : channels_) {
     if (!was_drained || channel.quantity != Quantity::back_volume)
@@ -74,6 +76,8 @@ void RecordHealth::watch(const Reading& reading) {
     const std::int64_t run = channel.health.run();
     if (channel.quantity == Quantity::volumetric_strain)
       channel.health.may_rest(water_is_shut_in(channel));
+    if (channel.quantity == Quantity::pore_pressure && header_.is_foreign())
+      channel.health.may_rest(is_held_through_valve(channel));
     channel.health.add(reading.number, reading[channel.quantity]);
     channel.stirred = run >= ChannelHealth::kFlat && channel.health.run() == 0;
     if (channel.health.run() > 0) continue;
@@ -94,7 +98,14 @@ void RecordHealth::watch(const Reading& reading) {
 bool RecordHealth::water_is_shut_in(const Channel& channel) const {
   constexpr std::size_t kPore = index(Quantity::pore_pressure);
   return std::fabs(now_[kPore] - channel.at_rest[kPore]) >
-         std::max(kLeastAnswer_pa, kNoises * noise_of(Quantity::pore_pressure));
+         std::max(kMinAnswer_pa, kNoises * noise_of(Quantity::pore_pressure));
+}
+
+/// Through an open valve the pore pressure is the back pressure, and is held as long as that is.
+bool RecordHealth::is_held_through_valve(const Channel& channel) const {
+  constexpr std::size_t kBack = index(Quantity::back_pressure);
+  return open_ && !(std::fabs(now_[kBack] - channel.at_rest[kBack]) >
+                    std::max(kMinAnswer_pa, kNoises * noise_of(Quantity::back_pressure)));
 }
 
 void RecordHealth::note_fall(const Reading& reading) {

@@ -110,6 +110,7 @@ class RecordHealth {
   bool jumped(const Channel& channel) const;
   void note_jumps(const Reading& reading);
   bool water_is_shut_in(const Channel& channel) const;
+  bool is_held_through_valve(const Channel& channel) const;
   void note_fall(const Reading& reading);
   void report(Channel& channel, const Reading& reading);
   void report_spike(const Channel& channel);
@@ -122,7 +123,8 @@ class RecordHealth {
   std::vector<Channel> channels_;
   std::optional<int> stage_;
   std::int64_t stage_from_ = 0, latest_ = -1;  ///< readings
-  bool shear_ = false, driven_ = false, drained_ = false, closed_ = false, held_ = false;
+  bool shear_ = false, driven_ = false, drained_ = false, closed_ = false, open_ = false;
+  bool held_ = false;
   std::optional<double> path_flow_;  ///< |dε_v/dε₁| that the stage prescribes
   bool fell_ = false;                ///< in this stage, by kFall from one reading to the next
   double displacement_ = NAN;        ///< axial, at the last reading

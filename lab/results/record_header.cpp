@@ -67,6 +67,11 @@ bool RecordHeader::is_total_stress() const {
   return type != nullptr && type->is_total_stress();
 }
 
+bool RecordHeader::is_foreign() const {
+  constexpr std::string_view kOwn = "triax";  // lab/records/dialects/triax.toml
+  return !dialect.empty() && dialect != kOwn;
+}
+
 bool RecordHeader::is_unconfined() const {
   const TestType* type = find_test_type(programme);
   return type != nullptr && type->unconfined;

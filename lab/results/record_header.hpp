@@ -150,6 +150,9 @@ struct RecordHeader {
   /// Without consolidation, in total stresses, by its programme: UU, UUM (several stages), UC, UNC
   /// (unconfined). Its result is c_u; collapse, a matter of effective stresses, is not assessed.
   bool is_total_stress() const;
+  /// Read from a table in the format of other software: its pressures may be printed as they were
+  /// set, or averaged.
+  bool is_foreign() const;
   /// By its programme: UC, UNC. The cell pressure is zero.
   bool is_unconfined() const;
   const StageInfo* stage(int number) const;

@@ -289,3 +289,17 @@ TEST_CASE("ChannelHealth: exactly zero until the record ends is a dropout", "[he
   CHECK(w.health.spike()->from == 37);
   CHECK(w.health.spike()->until == 39);
 }
+
+TEST_CASE("ChannelHealth: a pressure that is printed as it was set may rest, not after a jump") {
+  const auto rests_at = [](double value, bool printed_as_set) {
+    ChannelHealth health{1e-9, 2, 20, printed_as_set};
+    std::int64_t i = 0;
+    for (; i < 500; ++i) health.add(i, live(i));
+    for (; i < 800; ++i) health.add(i, value);
+    return health.dead().has_value();
+  };
+  const double near = std::round(0.2 * 500) + 1;
+  CHECK(rests_at(near, false));
+  CHECK_FALSE(rests_at(near, true));
+  CHECK(rests_at(near + 1e4, true));
+}

@@ -186,3 +186,41 @@ TEST_CASE(
   CHECK(volume_is_stuck(false));
   CHECK_FALSE(volume_is_stuck(true));
 }
+
+TEST_CASE("RecordHealth: a held pressure without noise is stuck in a record of triax alone") {
+  const auto reports = [](const std::string& dialect, Quantity quantity) {
+    RecordHeader header = driven(Drainage::closed);
+    header.dialect = dialect;
+    const RecordHealth health = watched(header, 2000, [&](Reading& r) {
+      const auto noise = standard_normal(1, 1, static_cast<std::uint64_t>(r.number));
+      if (r.number < 1000) r.si[index(quantity)] += 100 * std::round(10 * noise);
+      if (r.number >= 1000) r.si[index(quantity)] = shear(1000)[quantity];
+    });
+    return found(health, "stuck");
+  };
+  CHECK(reports("triax", Quantity::cell_pressure));
+  CHECK(reports("", Quantity::cell_pressure));
+  CHECK_FALSE(reports("table", Quantity::cell_pressure));
+  CHECK(reports("table", Quantity::pore_pressure));
+}
+
+TEST_CASE("RecordHealth: through an open valve the pore pressure rests with the back pressure") {
+  const auto is_stuck = [](Drainage drainage, bool back_pressure_moves) {
+    RecordHeader header = driven(drainage);
+    header.dialect = "table";
+    const RecordHealth health = watched(header, 2000, [&](Reading& r) {
+      const auto noise = [&](std::uint64_t channel) {
+        const auto number = static_cast<std::uint64_t>(r.number);
+        return 100 * std::round(10 * standard_normal(1, channel, number));
+      };
+      r.si[index(Quantity::pore_pressure)] = 300e3 + (r.number < 1000 ? noise(1) : 0);
+      const bool moves = back_pressure_moves && r.number > 1100;
+      r.si[index(Quantity::back_pressure)] =
+          300e3 + noise(2) + (moves ? 100.0 * static_cast<double>(r.number - 1100) : 0);
+    });
+    return found(health, "stuck");
+  };
+  CHECK_FALSE(is_stuck(Drainage::open, false));
+  CHECK(is_stuck(Drainage::open, true));
+  CHECK(is_stuck(Drainage::closed, false));
+}
