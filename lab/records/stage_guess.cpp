@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lab/records/stage_guess.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -13,9 +14,14 @@
 namespace triax::lab {
 namespace {
 
+Guess::Said other_drainage(const StageInfo& stage) {
+  return {fmt::format("stages.{}.drainage", stage.number),
+          stage.drainage == Drainage::closed ? "open" : "closed"};
+}
+
 std::string said_otherwise(const StageInfo& stage) {
-  return fmt::format("--set stages.{0}.drainage={1}", stage.number,
-                     stage.drainage == Drainage::closed ? "open" : "closed");
+  const Guess::Said said = other_drainage(stage);
+  return fmt::format("--set {}={}", said.key, said.value);
 }
 
 /// "the displacement by 4.2 mm": what changed from the first row to the last.
@@ -91,6 +97,12 @@ Guess stage_guess(const StageSummary& moved, const StageInfo& inferred,
           .otherwise = other_answers(moved, inferred, specimen)};
 }
 
+void ask_other_drainage(Guess& guess, const StageInfo& inferred) {
+  Guess::Said other = other_drainage(inferred);
+  if (std::ranges::find(guess.otherwise, other.key, &Guess::Said::key) == guess.otherwise.end())
+    guess.otherwise.push_back(std::move(other));
+}
+
 Guess drainage_guess(const StageInfo& inferred, const std::string& evidence) {
   return {.what = "drainage",
           .taken = std::string(to_string(inferred.drainage)),
@@ -106,6 +118,17 @@ Guess single_stage_guess(const StageInfo& only) {
       .remedy = fmt::format("a column `stage` if the record contains a B check or consolidation, "
                             "or --set stages.{}.role=...",
                             only.number)};
+}
+
+Guess split_guess(const std::vector<StageInfo>& stages, std::span<const std::int64_t> lines) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    all.push_back(fmt::format("{} ({}, drainage {}) from line {}", stages[i].number,
+                              to_string(stages[i].role), to_string(stages[i].drainage), lines[i]));
+  return {.what = "stages",
+          .taken = fmt::format("{}", fmt::join(all, "; ")),
+          .evidence = "the record has no stage column; load, pressures and volume show them",
+          .remedy = "a column `stage`, or --set stages.NUMBER.role=... and drainage"};
 }
 
 DrainageEvidence find_drainage(const StageSummary& shear, const SpecimenInfo& specimen) {

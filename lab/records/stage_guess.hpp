@@ -2,7 +2,9 @@
 #pragma once
 // The assumptions about a stage that a record does not describe, in words, and the evidence of its
 // readings for the drainage.
+#include <span>
 #include <string>
+#include <vector>
 
 #include "lab/records/stage_inference.hpp"
 #include "lab/results/record_header.hpp"
@@ -14,11 +16,17 @@ namespace triax::lab {
 Guess stage_guess(const StageSummary& moved, const StageInfo& inferred,
                   const SpecimenInfo& specimen);
 
+/// Has the record assessed with the other drainage as well: the readings do not show it.
+void ask_other_drainage(Guess& guess, const StageInfo& inferred);
+
 /// The drainage of a record's only stage, taken from what its columns are or did.
 Guess drainage_guess(const StageInfo& inferred, const std::string& evidence);
 
 /// That all readings of a record without a stage column belong to its only stage, `only`.
 Guess single_stage_guess(const StageInfo& only);
+
+/// The stages of a record without a stage column as its readings show them, with their first lines.
+Guess split_guess(const std::vector<StageInfo>& stages, std::span<const std::int64_t> lines);
 
 struct DrainageEvidence {
   Drainage drainage = Drainage::unknown;  ///< unknown: the readings do not show it

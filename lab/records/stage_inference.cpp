@@ -191,14 +191,17 @@ void StageSummary::add(const Row& row) {
 
 std::vector<StageSummary> summarise_stages(
     TableReader& reader, const std::function<int(double value, std::int64_t line)>& number_of,
-    const std::optional<double>& held_cell_pressure) {
+    const std::optional<double>& held_cell_pressure, std::span<const std::int64_t> stage_lines) {
   constexpr std::size_t kMostStages = 10'000;
   std::vector<StageSummary> stages;
   Row row;
   while (reader.next(row)) {
     if (held_cell_pressure) row.si[index(cell_pressure)] = *held_cell_pressure;
-    const int number = std::isnan(row.stage) ? (stages.empty() ? 1 : stages.back().number)
-                                             : number_of(row.stage, row.line);
+    int number = stages.empty() ? 1 : stages.back().number;
+    if (!std::isnan(row.stage))
+      number = number_of(row.stage, row.line);
+    else if (!stage_lines.empty())
+      number = stage_at_line(stage_lines, row.line);
     if (stages.empty() || stages.back().number != number) {
       if (stages.size() >= kMostStages) break;
       stages.emplace_back().number = number;
@@ -206,6 +209,11 @@ std::vector<StageSummary> summarise_stages(
     stages.back().add(row);
   }
   return stages;
+}
+
+int stage_at_line(std::span<const std::int64_t> stage_lines, std::int64_t line) {
+  const auto next = std::ranges::upper_bound(stage_lines, line);
+  return std::max(1, static_cast<int>(next - stage_lines.begin()));
 }
 
 std::vector<StageInfo> infer_stages(const std::vector<StageSummary>& summaries,

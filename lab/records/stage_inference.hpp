@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lab/records/table_reader.hpp"
@@ -49,10 +50,15 @@ struct StageSummary {
 };
 
 /// Reads all rows once. `number_of` turns the stage column's value in a line into a stage number.
-/// `held_cell_pressure` (Pa) is that of each row of a table without a column of it.
+/// `held_cell_pressure` (Pa) is that of each row of a table without a column of it. `stage_lines`
+/// are the first lines of stage 1, 2, ... of a table without a stage column; empty: all is stage 1.
 std::vector<StageSummary> summarise_stages(
     TableReader& reader, const std::function<int(double value, std::int64_t line)>& number_of,
-    const std::optional<double>& held_cell_pressure = {});
+    const std::optional<double>& held_cell_pressure = {},
+    std::span<const std::int64_t> stage_lines = {});
+
+/// Number of the stage of a line, from the first line of each stage.
+int stage_at_line(std::span<const std::int64_t> stage_lines, std::int64_t line);
 
 /// Role, drainage and control of each stage; `specimen` gives the scale of what counts as movement.
 ///   shear          the cap moves by more than 0.5 % of the height while |ΔF| exceeds 5 kPa·A. In

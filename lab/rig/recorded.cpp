@@ -26,6 +26,7 @@
 #include "lab/records/stage_guess.hpp"
 #include "lab/records/stage_inference.hpp"
 #include "lab/records/stage_number.hpp"
+#include "lab/records/stage_split.hpp"
 #include "lab/records/table_reader.hpp"
 #include "lab/records/tables/table_recognition.hpp"
 #include "lab/records/time_line.hpp"
@@ -101,9 +102,11 @@ struct RecordedRig::Impl {
   void apply_values(const std::vector<SetValue>& stated, bool stages);
   void report_contradiction(const SpecimenInfo& before, const std::string& where);
   void settle_stages();
+  std::vector<StageSplit::Stage> stages_of_readings();
+  void split_stages(const std::vector<StageSplit::Stage>& found);
   void settle_cell_pressure();
   void settle_channels();
-  void settle_drainage(StageInfo& only);
+  void settle_drainage(StageInfo& only, Drainage shown);
   void settle_named_drainage(StageInfo& only, const TestType& type);
   void settle_drainage_by_columns(StageInfo& only);
   bool name_stage(StageInfo& info) const;
@@ -127,6 +130,7 @@ struct RecordedRig::Impl {
   CounterJoin counters;
   std::optional<Truth> truth;
   std::vector<std::string> stage_names;      ///< of a stage column with words, stage 1 first
+  std::vector<std::int64_t> stage_lines;     ///< first line of each stage that readings show
   std::optional<double> held_cell_pressure;  ///< that every reading is given
   std::array<bool, kQuantityCount> filled{};
   std::int64_t last_line = 0;
@@ -183,8 +187,13 @@ void RecordedRig::Impl::settle_stages() {
   if (!layout.has(ColumnRole::stage)) {
     header.stages.push_back(single_stage(layout, header.programme));
     if (layout.dialect.stage.drainage != Drainage::unknown) return;
+    const auto found = stages_of_readings();
+    if (found.size() > 1) {
+      split_stages(found);
+      return;
+    }
     header.guesses.push_back(single_stage_guess(header.stages.front()));
-    settle_drainage(header.stages.front());
+    settle_drainage(header.stages.front(), found.front().drainage);
     return;
   }
   // The file numbers its stages but does not say what they are: look at all of it once.
@@ -196,6 +205,45 @@ void RecordedRig::Impl::settle_stages() {
         *std::ranges::find(summaries, info.number, &StageSummary::number), info, header.specimen));
   }
   look_for_typed_height(summaries);
+}
+
+/// The stages that the readings of a raw record without a stage column show; else a single one.
+std::vector<StageSplit::Stage> RecordedRig::Impl::stages_of_readings() {
+  const bool has_other_volume =
+      !header.has(Quantity::back_volume) && header.has(Quantity::volumetric_strain);
+  if (!header.is_raw() || has_other_volume) return {{}};
+  std::vector<Warning> repeated;
+  Findings scratch(repeated);
+  TableReader reader(*source, layout, scratch);
+  StageSplit split;
+  for (Row drawn; reader.next(drawn);) {
+    if (held_cell_pressure) drawn.si[index(Quantity::cell_pressure)] = *held_cell_pressure;
+    split.add(drawn);
+  }
+  return split.stages(header.specimen);
+}
+
+/// Takes the stages that the readings show, in place of the only one.
+void RecordedRig::Impl::split_stages(const std::vector<StageSplit::Stage>& found) {
+  for (const auto& one : found) stage_lines.push_back(one.line);
+  const StageInfo only = header.stages.front();
+  const auto summaries = stages_of_rows();
+  header.stages = infer_stages(summaries, header.specimen);
+  for (std::size_t i = 0; i < header.stages.size(); ++i) {
+    StageInfo& info = header.stages[i];
+    if (found[i].drainage != Drainage::unknown) info.drainage = found[i].drainage;
+    if (found[i].role == StageRole::shear || found[i].role == StageRole::consolidation)
+      info.role = found[i].role;
+    else if (info.role == StageRole::shear || info.role == StageRole::unknown)
+      info.role = StageRole::hold;
+    if (info.role != StageRole::shear) continue;
+    if (found[i].control != AxialControl::unknown) info.control = found[i].control;
+    if (only.drainage != Drainage::unknown) info.drainage = only.drainage;
+    header.guesses.push_back(stage_guess(summaries[i], info, header.specimen));
+    if (found[i].drainage == Drainage::unknown && only.drainage == Drainage::unknown)
+      ask_other_drainage(header.guesses.back(), info);
+  }
+  header.guesses.insert(header.guesses.begin(), split_guess(header.stages, stage_lines));
 }
 
 /// Takes role and drainage from the word in the stage column. True if it gives both.
@@ -259,17 +307,19 @@ void RecordedRig::Impl::settle_channels() {
              "specimen.diameter_mm"});
 }
 
-/// The only stage of a record that does not say whether it was drained: its readings may, else the
-/// type of the test, else its columns.
-void RecordedRig::Impl::settle_drainage(StageInfo& only) {
+/// The only stage of a record that does not say whether it was drained: its readings may (`shown`:
+/// StageSplit), else the type of the test, else its columns.
+void RecordedRig::Impl::settle_drainage(StageInfo& only, Drainage shown) {
   if (const TestType* type = find_test_type(header.programme)) {
     settle_named_drainage(only, *type);
     return;
   }
   if (only.drainage == Drainage::unknown && header.has(Quantity::back_volume)) {
     const auto summaries = stages_of_rows();
-    only.drainage = infer_stages(summaries, header.specimen)[0].drainage;
+    only.drainage =
+        shown != Drainage::unknown ? shown : infer_stages(summaries, header.specimen)[0].drainage;
     header.guesses.push_back(stage_guess(summaries.front(), only, header.specimen));
+    if (shown == Drainage::unknown) ask_other_drainage(header.guesses.back(), only);
     return;
   }
   settle_drainage_by_columns(only);
@@ -345,7 +395,7 @@ std::vector<StageSummary> RecordedRig::Impl::stages_of(ByteSource& bytes,
   StageNumbers numbers(layout.file);
   auto summaries = summarise_stages(
       reader, [&](double value, std::int64_t line) { return numbers.of(value, line, scratch); },
-      held_cell_pressure);
+      held_cell_pressure, stage_lines);
   stage_names = reader.stage_names();
   return summaries;
 }
@@ -406,6 +456,7 @@ void RecordedRig::Impl::look_for_typed_height(const std::vector<StageSummary>& s
 
 int RecordedRig::Impl::stage_of(const Row& drawn) {
   if (!std::isnan(drawn.stage)) return stage_numbers.of(drawn.stage, drawn.line, findings);
+  if (!stage_lines.empty()) return stage_at_line(stage_lines, drawn.line);
   if (count > 0) return stage;
   return header.stages.empty() ? 1 : header.stages.front().number;
 }
@@ -426,7 +477,8 @@ bool RecordedRig::Impl::draw(Reading& reading) {
                   fmt::format("stage {} has no description; its role is unknown", stage));
   reading.time_s = time_line.next(row.time_s, row.stage_time_s, stage, begins, row.line, findings);
   if (header.origin == Origin::recorded) {
-    counters.apply(row.si, stage, begins, row.line, findings);
+    // Counters are set to zero between stages of the file, not between those of its readings.
+    counters.apply(row.si, stage, begins && stage_lines.empty(), row.line, findings);
     header.back_volume_joined = counters.joined(Quantity::back_volume);
   }
   if (held_cell_pressure) row.si[index(Quantity::cell_pressure)] = *held_cell_pressure;

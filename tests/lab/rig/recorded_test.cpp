@@ -316,6 +316,53 @@ TEST_CASE("RecordedRig: a record without a stage column says what was taken as s
   CHECK(role_of(*open_text("stage," + kHeadings + "1,0,0,0.1,800\n1,1,0.1,0.2,800\n")).empty());
 }
 
+TEST_CASE("RecordedRig: a raw record without a stage column has the stages of its readings") {
+  std::string rows =
+      "Height (mm),100\nDiameter (mm),50\n\nTime (s),Axial displacement (mm),Axial force (kN),"
+      "Cell pressure (kPa),Back pressure (kPa),Pore pressure (kPa),Back volume (mm3)\n";
+  for (int i = 0; i < 50; ++i)
+    rows += fmt::format("{},0,{},{},300,300.0,{}\n", i, 0.0001 * (i % 2), 320 + 4 * i, -100 * i);
+  for (int i = 50; i < 150; ++i)
+    rows += fmt::format("{},{},{},516,300,{},-4900\n", i, 0.1 * (i - 49), 0.005 * (i - 49),
+                        300 + 1.2 * (i - 49));
+  const auto rig = open_text(rows);
+  const auto& header = rig->header();
+  REQUIRE(header.stages.size() == 2);
+  CHECK(header.stages[0].role == StageRole::consolidation);
+  CHECK(header.stages[0].drainage == Drainage::open);
+  CHECK(header.stages[1].role == StageRole::shear);
+  CHECK(header.stages[1].drainage == Drainage::closed);
+  REQUIRE(header.guesses.size() == 2);
+  CHECK(header.guesses[0].what == "stages");
+  CHECK(header.guesses[0].taken.find("; 2 (shear, drainage closed) from line 5") !=
+        std::string::npos);
+  const auto readings = all_readings(*rig);
+  REQUIRE(readings.size() == 150);
+  CHECK(readings[40].stage == 1);
+  CHECK(readings[60].stage == 2);
+}
+
+TEST_CASE("RecordedRig: a drainage that the readings do not show is assessed both ways") {
+  const auto others_of = [](double pore_rise, double outflow) {
+    std::string rows =
+        "Height (mm),100\nDiameter (mm),50\n\nTime (s),Axial displacement (mm),Axial force (kN),"
+        "Cell pressure (kPa),Back pressure (kPa),Pore pressure (kPa),Back volume (mm3)\n";
+    for (int i = 0; i < 100; ++i)
+      rows += fmt::format("{},{},{},500,300,{},{}\n", i, 0.1 * i, 0.002 * i,
+                          300 + pore_rise * i / 99, -outflow * i / 99);
+    const auto rig = open_text(rows);
+    std::vector<std::string> drainages;
+    for (const Guess& guess : rig->header().guesses)
+      for (const Guess::Said& said : guess.otherwise)
+        if (said.key == "stages.1.drainage") drainages.push_back(said.value);
+    return drainages;
+  };
+  CHECK(others_of(100, 0).empty());
+  CHECK(others_of(0, 2000).empty());
+  CHECK(others_of(100, 1000) == std::vector<std::string>{"closed"});
+  CHECK(others_of(0, 0) == std::vector<std::string>{"open"});
+}
+
 TEST_CASE("RecordedRig: readings of a rounded clock are evenly spread") {
   const auto rig =
       open_text(kHeadings + "0,0,0.1,800\n0,0.1,0.2,800\n1,0.2,0.3,800\n1,0.3,0.4,800\n");
