@@ -62,9 +62,11 @@ void SpreadTimes::end_time(Row& first, std::size_t count) {
     before_ = count;
     if (count > 1) spread(time_of(*following_));
   } else if (!same_stage) {
-    // As far apart as the rows of the time before.
-    const double share = static_cast<double>(count) / static_cast<double>(before_);
-    if (count > 1 && before_ > 1) spread(time + step_s_ * std::min(1.0, share));
+    if (count > 1 && before_ > 1) {
+      // As far apart as the rows of the time before.
+      const double share = static_cast<double>(count) / static_cast<double>(before_);
+      spread(time + step_s_ * std::min(1.0, share));
+    }
     before_ = 0;
   }
 }
