@@ -18,7 +18,7 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import records
 
-ISSUE, WITHDRAW = 0.6, 0.1  # CyclicWarning::kIssue, kWithdraw
+ISSUE, WITHDRAW = 0.6, 0.1  # warning_limits::kIssue, kWithdraw
 
 
 def probability(c, x):

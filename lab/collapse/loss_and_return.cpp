@@ -13,8 +13,7 @@ namespace {
 
 namespace limits = assessment_limits;
 
-constexpr double kLeap = 1e-3;         ///< axial strain: less says nothing of a direction
-constexpr double kConsolidated = 1.1;  ///< of σ₃′ when it ran
+constexpr double kLeap = 1e-3;  ///< axial strain: less has no direction
 
 }  // namespace
 
@@ -36,7 +35,8 @@ void LossAndReturn::start_stage(const StageInfo* stage) {
 
 void LossAndReturn::add(const State& state) {
   if (std::isnan(state.q)) return;
-  if (drainage_ != Drainage::closed && state.effective_stress.radial > kConsolidated * radial_)
+  if (drainage_ != Drainage::closed &&
+      state.effective_stress.radial > limits::kConsolidated * radial_)
     another_specimen_ = true;
   if (another_specimen_) return;
   const double now = strength(state);

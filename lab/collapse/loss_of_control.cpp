@@ -17,10 +17,7 @@ std::string in_readings(std::size_t count) {
   return count == 1 ? "one reading" : fmt::format("{} readings", count);
 }
 
-constexpr double kBurst = 10;         ///< times the rate of the stage so far
-constexpr double kFall = 0.01;        ///< axial strain between two readings
-constexpr double kLostQ = 0.05;       ///< share of the q that was
-constexpr double kLeastShare = 0.05;  ///< of p', by which the pore pressure bursts
+namespace limits = assessment_limits;
 
 /// Per second where there is time, so that a logger that slows down makes no burst; else per
 /// reading.
@@ -89,7 +86,7 @@ void LossOfControl::follow(const State& state) {
   run_.add(state);
   const double before = std::fabs(run_.before.q);
   const bool returned = run_.carried_on() || run_.loss->came_back();
-  if (returned && run_.loss->largest_since() >= (1 + kLostQ) * before) watch_anew();
+  if (returned && run_.loss->largest_since() >= (1 + limits::kGrowth) * before) watch_anew();
 }
 
 /// The rates are others now: they are learned anew.
@@ -113,9 +110,9 @@ void LossOfControl::Run::add(const State& state) {
   load = carried_load(state);
   if (readings++ == 0) {
     least = q;
-    first_load = least_load = load;
+    first_load = min_load = load;
   }
-  least_load = std::min(least_load, load);
+  min_load = std::min(min_load, load);
   least = std::min(least, q);
   last = q;
   if (!under_load || readings > kRecent) return;
@@ -130,10 +127,11 @@ void LossOfControl::Run::add(const State& state) {
 bool LossOfControl::Run::carried_on() const {
   if (!finding || !under_load || ran_away) return false;
   const double q_before = std::fabs(before.q);
-  const bool grew = last >= (1 + kLostQ) * q_before || load >= (1 + kLostQ) * first_load;
+  const bool grew =
+      last >= (1 + limits::kGrowth) * q_before || load >= (1 + limits::kGrowth) * first_load;
   const bool long_enough = readings > kCalm || grew;
-  const bool shed = least_load <= (1 - kLostQ) * first_load;
-  return long_enough && !shed && least > (1 - kLostQ) * q_before && last >= q_before;
+  const bool shed = min_load <= (1 - limits::kGrowth) * first_load;
+  return long_enough && !shed && least > (1 - limits::kGrowth) * q_before && last >= q_before;
 }
 
 Finding LossOfControl::Run::final_finding() const {
@@ -188,7 +186,7 @@ void LossOfControl::check_held_q(const State& state, bool has_time) {
     return;
   }
   const double deviation = std::sqrt(q_square_ / (kReference - 1));
-  if (q > q_mean_ - std::max(kLostQ * q_mean_, 6 * deviation)) {
+  if (q > q_mean_ - std::max(limits::kGrowth * q_mean_, 6 * deviation)) {
     below_ = 0;
     return;
   }
@@ -236,7 +234,7 @@ void LossOfControl::check_leap(const State& before, const State& state, bool has
   const bool pulled = state.q < 0 && state.strain.axial < before.strain.axial;
   const bool onward = state.q > 0 && state.strain.axial > before.strain.axial;
   const double left = pulled ? carried_load(state) / carried_load(before) : state.q / before.q;
-  if (!next || !(leap >= kFall)) return;
+  if (!next || !(leap >= limits::kLeap)) return;
   const auto jumped = [&](const char* what) {
     return fmt::format(
         "axial strain jumped from {:.3f} % to {:.3f} % between two readings, and {} from {:.2f} "
@@ -244,9 +242,9 @@ void LossOfControl::check_leap(const State& before, const State& state, bool has
         before.strain.axial * 100, state.strain.axial * 100, what, before.q / 1e3, state.q / 1e3);
   };
   const bool falls_with_its_area = onward && left < 1 - leap / 2 && left > 1 - 2 * leap;
-  if (std::fabs(left) < 1 - kLostQ || falls_with_its_area)
+  if (std::fabs(left) < 1 - limits::kGrowth || falls_with_its_area)
     begin(before, jumped(pulled ? "the load fell, with q" : "q fell"), has_time);
-  else if ((onward || pulled) && left >= 1 + kLostQ && !step_)
+  else if ((onward || pulled) && left >= 1 + limits::kGrowth && !step_)
     step_ = Finding{.instant = instant_of(before, has_time),
                     .evidence = jumped("q grew, with a step of the load,"),
                     .detected = bursts_open(before, state)};
@@ -255,7 +253,7 @@ void LossOfControl::check_leap(const State& before, const State& state, bool has
 /// The pore pressure leapt although the valve is open: the specimen ran, the step set it going.
 bool LossOfControl::bursts_open(const State& before, const State& state) const {
   return drainage_ == Drainage::open && whole_ > 0 &&
-         pore_excess(before, state) > kLeastShare * before.p_eff;
+         pore_excess(before, state) > limits::kBurstPressure * before.p_eff;
 }
 
 /// The latest step against the fastest before it, and the q that was lost with it.
@@ -263,11 +261,11 @@ bool LossOfControl::outruns_any_frame(bool has_time) const {
   const State &before = recent_[kRecent - 2], &last = recent_.back();
   const double step =
       std::fabs(last.strain.axial - before.strain.axial) / lapse(before, last, has_time);
-  return step > kBurst * largest_rate_ && std::fabs(last.q) < (1 - kLostQ) * std::fabs(before.q);
+  return step > limits::kBurst * largest_rate_ &&
+         std::fabs(last.q) < (1 - limits::kGrowth) * std::fabs(before.q);
 }
 
 void LossOfControl::check_strain_burst(bool has_time) {
-  constexpr double kLeastRise = 1e-3;
   constexpr double kCreep = 0.1;  ///< of the fastest step
   const State& last = recent_.back();
   const auto rate = [&](const State& a, const State& b) {
@@ -275,17 +273,17 @@ void LossOfControl::check_strain_burst(bool has_time) {
   };
   const double rise = std::fabs(last.strain.axial - recent_.front().strain.axial);
   const double burst = rate(recent_.front(), last);
-  if (rise < kLeastRise || burst < kBurst * mean_rate_) return;
+  if (rise < limits::kBurstStrain || burst < limits::kBurst * mean_rate_) return;
   if (control_ == AxialControl::unknown && !outruns_any_frame(has_time)) return;
   // The burst began where the steps first left what they had been. What crept faster before a
   // specimen fell within one interval is not yet the fall.
   double fastest = 0;
   for (std::size_t i = 0; i + 1 < recent_.size(); ++i)
     fastest = std::max(fastest, rate(recent_[i], recent_[i + 1]));
-  const double least = std::max(kBurst / 2 * mean_rate_, kCreep * fastest);
+  const double least = std::max(limits::kBurst / 2 * mean_rate_, kCreep * fastest);
   std::size_t start = 0;
   while (start + 2 < recent_.size() && rate(recent_[start], recent_[start + 1]) < least) ++start;
-  if (std::fabs(last.strain.axial - recent_[kRecent - 2].strain.axial) >= kFall)
+  if (std::fabs(last.strain.axial - recent_[kRecent - 2].strain.axial) >= limits::kLeap)
     run_.fall = Fall{recent_[start], last};
   begin(recent_[start],
         fmt::format("axial strain increased from {:.3f} % to {:.3f} % within {}{}",
@@ -301,11 +299,12 @@ void LossOfControl::check_pore_burst(bool has_time) {
   const State &first = recent_.front(), &last = recent_.back();
   const double excess = pore_excess(first, last);
   const double burst = excess / lapse(first, last, has_time);
-  if (!(excess > kLeastShare * first.p_eff) || burst < kBurst * mean_pore_rate_) return;
+  if (!(excess > limits::kBurstPressure * first.p_eff) || burst < limits::kBurst * mean_pore_rate_)
+    return;
   std::size_t start = 0;
-  while (start + 2 < recent_.size() &&
-         pore_excess(recent_[start], recent_[start + 1]) <
-             kBurst / 2 * mean_pore_rate_ * lapse(recent_[start], recent_[start + 1], has_time))
+  while (start + 2 < recent_.size() && pore_excess(recent_[start], recent_[start + 1]) <
+                                           limits::kBurst / 2 * mean_pore_rate_ *
+                                               lapse(recent_[start], recent_[start + 1], has_time))
     ++start;
   begin(recent_[start],
         fmt::format("pore pressure increased from {:.2f} kPa to {:.2f} kPa within {} readings, "

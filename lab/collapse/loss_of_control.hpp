@@ -116,7 +116,7 @@ class LossOfControl : public CollapseCriterion {
     bool over = false;        ///< its stage is
     int readings = 0;
     double least = 0, last = 0;  ///< |q|
-    double first_load = 0, load = 0, least_load = 0;
+    double first_load = 0, load = 0, min_load = 0;
     bool ran_away = false;  ///< the load did not grow as the strain did
     void add(const State& state);
     bool carried_on() const;

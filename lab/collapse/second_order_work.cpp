@@ -12,8 +12,6 @@
 namespace triax::lab {
 namespace {
 
-constexpr double kHeldStrain = 0.01;
-
 bool is_same(const std::optional<Descent>& a, const std::optional<Descent>& b) {
   return a && b && a->onset.reading == b->onset.reading;
 }
@@ -37,7 +35,7 @@ Instant onset_of(const Descent& descent, bool has_time) {
 
 bool lasts_at_held_q(const Descent& descent) {
   return !descent.came_back &&
-         descent.axial_strain_last - descent.onset.axial_strain >= kHeldStrain;
+         descent.axial_strain_last - descent.onset.axial_strain >= assessment_limits::kHeldStrain;
 }
 
 void SecondOrderWork::start_stage(const StageInfo* stage) {

@@ -8,13 +8,12 @@
 #include <utility>
 
 #include "lab/collapse/stress_span.hpp"
+#include "lab/measured/assessment_limits.hpp"
 #include "lab/measured/instant.hpp"
 
 namespace triax::lab {
 namespace {
 
-constexpr double kZero = 0.01;  ///< fraction of what the stress was
-constexpr double kMinQ = 0.1;   ///< fraction of p′₀ that q has to reach before it falls
 constexpr double kStrainTolerance = 1e-4;  ///< noise of a displacement transducer
 constexpr int kConfirmingReadings = 3;
 
@@ -41,9 +40,10 @@ bool ZeroStress::is_gone(const State& state) const {
   const double strain = state.strain.axial;
   const bool goes_on = max_q_ < 0 ? strain <= min_strain_ + kStrainTolerance
                                   : strain >= max_strain_ - kStrainTolerance;
-  const bool had_q = std::fabs(max_q_) >= kMinQ * start_->p_eff;
-  const bool no_q = had_q && std::fabs(state.q) <= kZero * std::fabs(max_q_);
-  return goes_on && (no_q || state.p_eff <= kZero * start_->p_eff);
+  const bool had_q = std::fabs(max_q_) >= assessment_limits::kZeroStressFrom * start_->p_eff;
+  const bool no_q =
+      had_q && std::fabs(state.q) <= assessment_limits::kZeroStress * std::fabs(max_q_);
+  return goes_on && (no_q || state.p_eff <= assessment_limits::kZeroStress * start_->p_eff);
 }
 
 void ZeroStress::add_state(const State& state, bool has_time, const std::optional<Moment>& now) {

@@ -5,32 +5,25 @@
 #include <cmath>
 #include <utility>
 
+#include "lab/health/sensor_limits.hpp"
+
 namespace triax::lab {
 namespace {
 
-/// So far from what its neighbours lead to expect lies no live reading, in units of the roughness
-/// and in steps of the converter.
-constexpr double kOutlier = 20;
-constexpr double kOutlierSteps = 6;
+namespace limits = sensor_limits;
+
 /// Moves from which roughness and resolution are known well enough.
 constexpr std::int64_t kKnown = 16;
-/// Before that a leap is one beside the last move and the level, too.
-constexpr double kEarlyMoves = 3, kEarlyShare = 0.02;
-/// Values leave a level by so many times its own motion; by fewer only if no other channel leaps.
-/// No channel that is away from zero comes to rest at exactly zero by chance.
-constexpr double kClear = 5, kWeak = 2, kWeakOfZero = 1;
-/// The value with which a record begins, in terms of those after it, where it is none.
-constexpr double kBeyond = 1.15, kOffCurve = 4;
 
 double weak_of(double value, std::int64_t width) {
-  return value == 0 && width > 1 ? kWeakOfZero : kWeak;
+  return value == 0 && width > 1 ? limits::kZeroSpike : limits::kWeakSpike;
 }
 
 }  // namespace
 
 double patience_of(Quantity quantity) {
   const RawChannel& channel = info(quantity).raw;
-  return channel.held || channel.counts_water ? 2 : 1;
+  return channel.held || channel.counts_water ? limits::kPatience : 1.0;
 }
 
 double finest_of(Quantity quantity) {
@@ -52,7 +45,8 @@ double finest_of(Quantity quantity) {
 double worth_of(Quantity quantity) {
   if (const double drift = info(quantity).raw.drift_si; drift > 0) return drift;
   const auto unit = sim::find_unit(info(quantity).unit);
-  return unit && unit->dimension == sim::Dimension::pressure ? 1e3 : 2e-4;
+  return unit && unit->dimension == sim::Dimension::pressure ? limits::kEarlyPressure
+                                                             : limits::kEarlyStrain;
 }
 
 void ChannelHealth::may_rest(bool yes) {
@@ -94,7 +88,7 @@ void ChannelHealth::add(std::int64_t number, double value) {
 
 void ChannelHealth::miss(std::int64_t number) {
   if (gap_++ == 0) gap_from_ = number;
-  if (dead_ || gap_ <= kGap || steady_ < kSteady) return;
+  if (dead_ || gap_ <= limits::kMissing.count() || steady_ < limits::kRegular.count()) return;
   // What stood still since a jump was dead by then.
   dead_ = Dead{SensorFault::missing, jump_ ? jump_begin_ : last_leap().value_or(gap_from_)};
   forget_leap();
@@ -102,14 +96,15 @@ void ChannelHealth::miss(std::int64_t number) {
 
 /// A leap of which nobody will learn whether it was a spike: the channel died of it.
 std::optional<std::int64_t> ChannelHealth::last_leap() const {
-  const bool last = leap_ && window_.back().number - *leap_ < kWidest;
+  const bool last = leap_ && window_.back().number - *leap_ < limits::kSpike.count();
   return last ? leap_ : std::nullopt;
 }
 
 /// Before the reading `number` is taken: one value since the leap, zero or at the end of a range.
 bool ChannelHealth::is_flat_since_leap(std::int64_t number) const {
   const std::int64_t width = number - *leap_;
-  return noise_.run() >= width - 1 && width <= (last_ == 0 ? kWidestZero : kWidestFlat);
+  return noise_.run() >= width - 1 &&
+         width <= (last_ == 0 ? limits::kZeroDropout.count() : limits::kDropout.count());
 }
 
 void ChannelHealth::forget_leap() {
@@ -118,23 +113,24 @@ void ChannelHealth::forget_leap() {
 }
 
 void ChannelHealth::follow_jump(std::int64_t number, double value) {
-  if (leap_ && number - *leap_ > kWidest && !back_) {
+  if (leap_ && number - *leap_ > limits::kSpike.count() && !back_) {
     if (is_flat_since_leap(number) && value != last_)
       back_ = number;
-    else if (number - *leap_ > kWidest + 1 && !is_flat_since_leap(number))
+    else if (number - *leap_ > limits::kSpike.count() + 1 && !is_flat_since_leap(number))
       leap_.reset();
   }
   if (filled_ == 0) return;
   const bool known = noise_.moves() >= kKnown;
   const double before = window_.back().value;
   const double slope = filled_ > 1 ? before - window_[kWindow - 2].value : 0;
-  double allowed = std::max(kOutlier * noise_.roughness(), kOutlierSteps * noise_.resolution());
+  double allowed =
+      std::max(limits::kJump * noise_.roughness(), limits::kJumpSteps * noise_.resolution());
   if (!known)
-    allowed = std::max(
-        {allowed, kEarlyMoves * std::fabs(slope), kEarlyShare * std::fabs(before), worth_});
+    allowed = std::max({allowed, limits::kEarlyJump * std::fabs(slope),
+                        limits::kEarlyLevel * std::fabs(before), worth_});
   const double off = std::fabs(value - before);
   // The first move of a channel is a leap if the next one is far smaller.
-  if (filled_ == 2 && std::fabs(slope) > kOffCurve * off) leaps_ |= 2U;
+  if (filled_ == 2 && std::fabs(slope) > limits::kFirstChange * off) leaps_ |= 2U;
   if (off > allowed && std::fabs(value - before - slope) > allowed) {
     if (filled_ > 1) leaps_ |= 1U;
     // The first move of a channel at rest may be one; a far larger one takes its place.
@@ -142,7 +138,7 @@ void ChannelHealth::follow_jump(std::int64_t number, double value) {
     if (!leap_ || (was_first && off > 2 * leap_height_)) begin_leap(number, off, allowed, known);
     if (!known) return;
     jump_ = number;
-    jump_begin_ = number - *leap_ <= kWidest ? *leap_ : number;
+    jump_begin_ = number - *leap_ <= limits::kSpike.count() ? *leap_ : number;
     jump_height_ = off;
   } else if (value != before) {
     jump_.reset();
@@ -176,14 +172,14 @@ void ChannelHealth::follow_run(std::int64_t number, double value) {
   if (rests_rightly()) return;
   const auto limit = noise_.impossible_run();
   if (!limit) return;
-  const auto wait =
-      static_cast<std::int64_t>(static_cast<double>(jump_ ? kFlat : *limit) * patience_);
+  const auto wait = static_cast<std::int64_t>(
+      static_cast<double>(jump_ ? limits::kStuckAfterJump.count() : *limit) * patience_);
   if (noise_.run() >= wait) condemn();
 }
 
 bool ChannelHealth::revived(bool moved) {
   if (moved) ++moves_;
-  return moves_ >= kRecovery;
+  return moves_ >= limits::kRecovery.count();
 }
 
 void ChannelHealth::condemn() {
@@ -220,7 +216,7 @@ void ChannelHealth::look_for_spike() {
     look_for_flat();
     return;
   }
-  for (int width = 1; width <= kWidest; ++width) {
+  for (int width = 1; width <= limits::kSpike.count(); ++width) {
     const int begin = kWindow - width - 2;
     const Value& first = window_[static_cast<std::size_t>(begin)];
     // Weakly only where the leap began: any later pair of neighbours is a part of what leaped.
@@ -231,9 +227,9 @@ void ChannelHealth::look_for_spike() {
                       at(kWindow - 2), at(kWindow - 1)};
     const double clear = leaves(level, width, first.value, at(kWindow - 3));
     const bool weakly = began && (!certain_ || first.value == 0) && level.after1 != first.value;
-    if (!(clear > (weakly ? weak_of(first.value, width) : kClear))) continue;
+    if (!(clear > (weakly ? weak_of(first.value, width) : limits::kClearSpike))) continue;
     spike_ = Spike{first.number, window_[kWindow - 3].number, first.value,
-                   certain_ && clear > kClear, first.number};
+                   certain_ && clear > limits::kClearSpike, first.number};
     forget_leap();
     jump_.reset();
     return;
@@ -255,7 +251,7 @@ void ChannelHealth::look_for_flat() {
 void ChannelHealth::look_for_start() {
   if (noise_.moves() == 0) {
     start_until_ = latest_;
-    starts_ = latest_ - start_.number < kWidestFlat;
+    starts_ = latest_ - start_.number < limits::kDropout.count();
     return;
   }
   const double value = window_.back().value;
@@ -266,14 +262,14 @@ void ChannelHealth::look_for_start() {
   starts_ = false;
   const double largest = std::max(std::fabs(low_after_), std::fabs(high_after_));
   const double off = std::max(start_.value - high_after_, low_after_ - start_.value);
-  if (!(std::fabs(start_.value) > kBeyond * largest &&
-        off > worth_ + kWeak * (high_after_ - low_after_)))
+  if (!(std::fabs(start_.value) > limits::kFirstValue * largest &&
+        off > worth_ + limits::kWeakSpike * (high_after_ - low_after_)))
     return;
   // A curve that is steep where it begins comes near its first value when it is followed back.
   const auto& [first, second, third] = next_;
   const double curve = 3 * first - 3 * second + third;
   const double move = std::max(std::fabs(second - first), std::fabs(third - second));
-  if (std::fabs(start_.value - curve) > kOffCurve * move)
+  if (std::fabs(start_.value - curve) > limits::kFirstChange * move)
     spike_ = Spike{start_.number, start_until_, start_.value, false, start_until_ + 1};
 }
 
@@ -285,7 +281,7 @@ void ChannelHealth::finish(std::int64_t last) {
     const bool beyond = *leap_ < last && (last_ > highest_ || last_ < lowest_);
     if (last_ == 0 || beyond) spike_ = to_the_end;
   } else if (const auto width = static_cast<int>(last - *leap_);
-             back_ == last || (!back_ && width <= kWidest)) {
+             back_ == last || (!back_ && width <= limits::kSpike.count())) {
     // One value came back, and the record ends.
     const double value = window_[kWindow - 2].value;
     if (leaves({before2_, before1_, last_, last_}, width, value, value) > weak_of(value, width))
@@ -303,9 +299,9 @@ std::int64_t ChannelHealth::first_doubt() const {
   std::int64_t first = kNever;
   if (dead_) return first;
   if (starts_) first = std::min(first, start_.number);
-  if (gap_ > 0 && steady_ >= kSteady) first = std::min(first, gap_from_);
+  if (gap_ > 0 && steady_ >= limits::kRegular.count()) first = std::min(first, gap_from_);
   if (leap_) first = std::min(first, *leap_);
-  if (jump_ && noise_.run() < kFlat) first = std::min(first, jump_begin_);
+  if (jump_ && noise_.run() < limits::kStuckAfterJump.count()) first = std::min(first, jump_begin_);
   if (!rests_rightly() && noise_.run() > 0 && noise_.impossible_run())
     first = std::min(first, jump_ ? jump_begin_ : run_from_);
   return first;

@@ -7,6 +7,7 @@
 
 #include "lab/health/channel_noise.hpp"
 #include "lab/health/sensor_finding.hpp"
+#include "lab/health/sensor_limits.hpp"
 
 namespace triax::lab {
 
@@ -21,18 +22,12 @@ double finest_of(Quantity quantity);
 /// of a raw channel, 1 kPa of another pressure, 0.02 % of a strain.
 double worth_of(Quantity quantity);
 
-/// Looks at one channel, one reading at a time, in constant memory, and says from which reading to
-/// which it cannot be believed (SensorFault). What takes hindsight is held in doubt until it is
-/// decided: after at most ChannelNoise::kLongestWait readings.
+/// Checks one channel, one reading at a time, in constant memory, and finds from which reading to
+/// which it is faulty (SensorFault), by sensor_limits.hpp. A reading is in doubt until it is
+/// decided: after at most sensor_limits::kMaxRun readings.
 class ChannelHealth {
  public:
-  static constexpr int kGap = 5;      ///< readings that may be missing without being a fault
-  static constexpr int kSteady = 20;  ///< readings in a row that make a channel a regular one
-  static constexpr int kFlat = 10;    ///< equal readings after a jump: no noise is left
-  static constexpr int kWidest = 3;   ///< readings of a spike; more if all are one value:
-  static constexpr int kWidestFlat = 12, kWidestZero = 60;
   static constexpr int kAfterStart = 4;  ///< values that show whether the first one was none
-  static constexpr int kRecovery = 8;    ///< moves after which a dead sensor counts as live again
 
   struct Dead {
     SensorFault fault{};
@@ -66,7 +61,7 @@ class ChannelHealth {
   /// Why the channel cannot be believed now, if so.
   const std::optional<Dead>& dead() const { return dead_; }
   /// A channel that is read regularly was not read this time.
-  bool absent() const { return gap_ > 0 && steady_ >= kSteady; }
+  bool absent() const { return gap_ > 0 && steady_ >= sensor_limits::kRegular.count(); }
   /// The spike that this reading brought to light.
   const std::optional<Spike>& spike() const { return spike_; }
   /// The record ends with this reading: a channel that leaped to exactly zero, or to one value
@@ -109,7 +104,7 @@ class ChannelHealth {
   void look_for_start();
   bool revived(bool moved);
 
-  static constexpr int kWindow = 2 + kWidest + 2;
+  static constexpr int kWindow = 2 + sensor_limits::kSpike.count() + 2;
   struct Value {
     std::int64_t number = 0;
     double value = 0;

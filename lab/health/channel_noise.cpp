@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/health/sensor_limits.hpp"
+
 namespace triax::lab {
 namespace {
+
+namespace limits = sensor_limits;
 
 /// Below this share of the channel's largest value a difference is round-off, not a reading.
 constexpr double kRoundOff = 1e-9;
@@ -14,8 +18,7 @@ constexpr std::int64_t kLongestLesson = 1024;
 /// In steps of the converter, and the share of such moves from which noise is no flicker: white
 /// noise of half a step rms, that at rest in the middle of a step leaves it every third time.
 constexpr double kWide = 1.5, kLeastWide = 0.08;
-/// Chance that nobody believes in.
-const double kImpossible = std::log(1e-9);
+const double kImpossible = std::log(limits::kChance);
 
 /// Of the latest of `count` in an exponential mean that begins as a plain one.
 double weight_of(std::int64_t count) {
@@ -95,10 +98,9 @@ bool ChannelNoise::dithers() const {
 
 std::optional<std::int64_t> ChannelNoise::wait() const {
   if (!dithers()) return std::nullopt;
-  constexpr double kShortest = 30;
-  const double wait =
-      std::max({kShortest, kImpossible / std::log(equal_share_at_most()), 4 * longest_run_});
-  if (wait > kLongestWait) return std::nullopt;
+  const double wait = std::max({limits::kStuck.value, kImpossible / std::log(equal_share_at_most()),
+                                limits::kLongerRun * longest_run_});
+  if (wait > limits::kMaxRun) return std::nullopt;
   return std::llround(std::ceil(wait));
 }
 

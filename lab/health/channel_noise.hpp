@@ -10,11 +10,11 @@ namespace triax::lab {
 ///
 /// The values of a live converter differ from their neighbours by noise. Let f be the share of
 /// neighbours that are equal; n equal neighbours in a row then have a probability of about fⁿ, and
-/// beyond n = ln(1e-9)/ln f nobody believes in chance. That holds only where it is noise that moves
-/// the values. A ramp without noise moves them too, and may rightly end at rest: it is told from
-/// noise by never turning back, and by a roughness of no more than one step of the converter. A
-/// channel that flickers between two neighbouring values has so little noise that it rests as soon
-/// as its mean lies between two flips: it does not dither either.
+/// beyond n = ln(kChance)/ln f (sensor_limits.hpp) they are no noise. That holds only where it is
+/// noise that moves the values. A ramp without noise moves them too, and may rightly end at rest:
+/// it differs from noise by never turning back, and by a roughness of no more than one step of the
+/// converter. A channel that flickers between two neighbouring values has so little noise that it
+/// rests as soon as its mean lies between two flips: it does not dither either.
 class ChannelNoise {
  public:
   static constexpr int kMemory = 256;
@@ -45,10 +45,9 @@ class ChannelNoise {
   /// Whether noise is what moves the values.
   bool dithers() const;
   /// Equal neighbours that noise cannot give; empty where the channel does not dither, or does it
-  /// so little that the wait would be longer than kLongestWait.
+  /// so little that the wait would be longer than sensor_limits::kMaxRun.
   const std::optional<std::int64_t>& impossible_run() const { return wait_; }
 
-  static constexpr std::int64_t kLongestWait = 200;
   static constexpr std::int64_t kLessons = 16;  ///< between two looks at what was learned
 
  private:

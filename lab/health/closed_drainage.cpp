@@ -6,7 +6,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "lab/health/sensor_limits.hpp"
+
 namespace triax::lab {
+namespace {
+
+namespace limits = sensor_limits;
+
+}  // namespace
 
 void ClosedDrainage::open() {
   const double back = back_;
@@ -29,7 +36,7 @@ void ClosedDrainage::look_for_water(const Reading& believed) {
   if (stage_ != believed.stage) start_volume_ = volume;
   stage_ = believed.stage;
   const double flowed = volume - start_volume_;
-  if (std::fabs(flowed) <= kWater * volume_m3_) {
+  if (std::fabs(flowed) <= limits::kClosedVolume * volume_m3_) {
     wet_ = 0;
     return;
   }
@@ -68,26 +75,27 @@ void ClosedDrainage::look_at_pore_pressure(const Reading& believed, const State&
 
 void ClosedDrainage::look_for_return(double size, double total_p, std::int64_t number) {
   if (size >= largest_) {
-    if (size > largest_ && largest_ >= kWorth * start_p_eff_) returned_.reset();
+    if (size > largest_ && largest_ >= limits::kLeft * start_p_eff_) returned_.reset();
     largest_ = size;
     returning_ = false;
     back_from_.reset();
     near_.reset();
     return;
   }
-  if (largest_ < kWorth * start_p_eff_) return;
-  if (size > kNear * largest_) returned_.reset();
-  if (size < kTurned * largest_ && !std::exchange(returning_, true)) {
+  if (largest_ < limits::kLeft * start_p_eff_) return;
+  if (size > limits::kLeaves * largest_) returned_.reset();
+  if (size < limits::kShrinks * largest_ && !std::exchange(returning_, true)) {
     mark_ = true;
     turned_ = before_;
   }
-  if (size > kNotTurned * largest_) returning_ = false;
-  if (size > kBack * largest_)
+  if (size > limits::kGrows * largest_) returning_ = false;
+  if (size > limits::kReturned * largest_)
     back_from_.reset();
   else if (!back_from_)
     back_from_ = number;
   const bool rests =
-      back_from_ && number - *back_from_ >= std::max(kLeastRest, *back_from_ - turned_);
+      back_from_ &&
+      number - *back_from_ >= std::max<std::int64_t>(limits::kRests.count(), *back_from_ - turned_);
   if ((!is_silent_near(size, total_p) && !rests) || returned_) return;
   returned_ = Doubt{
       turned_, fmt::format("the pore pressure returned to the back pressure, from {:.1f} kPa away, "
@@ -96,11 +104,11 @@ void ClosedDrainage::look_for_return(double size, double total_p, std::int64_t n
 }
 
 bool ClosedDrainage::is_silent_near(double size, double total_p) {
-  const double loading = kLoading * start_p_eff_;
+  const double loading = limits::kLoading * start_p_eff_;
   if (std::isnan(total_p)) return false;
-  if (size > kNear * largest_) {
+  if (size > limits::kLeaves * largest_) {
     near_.reset();
-  } else if (!near_ || std::fabs(size - near_->size) > kAnswer * loading) {
+  } else if (!near_ || std::fabs(size - near_->size) > limits::kAnswer * loading) {
     near_ = Answer{size, total_p};
   }
   return near_ && std::fabs(total_p - near_->total_p) >= loading;
@@ -108,9 +116,9 @@ bool ClosedDrainage::is_silent_near(double size, double total_p) {
 
 void ClosedDrainage::look_for_silence(double total_p) {
   const double loading = std::fabs(total_p - start_p_);
-  if (answered_ || !(loading >= kLoading * start_p_eff_)) return;
-  answered_ =
-      std::max(largest_, largest_alone_) >= std::min(kAnswer * loading, kWorth * start_p_eff_);
+  if (answered_ || !(loading >= limits::kLoading * start_p_eff_)) return;
+  answered_ = std::max(largest_, largest_alone_) >=
+              std::min(limits::kAnswer * loading, limits::kLeft * start_p_eff_);
   if (answered_) {
     silent_.reset();
   } else if (!silent_) {

@@ -11,21 +11,22 @@
 namespace triax::lab {
 
 /// Whether a specimen whose drainage is shut by the programme is undrained, from readings alone, in
-/// constant memory. Two witnesses, of which one may be dead:
-///   the volume V_b of the back-pressure controller stands still,  |V_b − V_b,start| ≤ kWater V
-///   the pore pressure leaves the back pressure,                   d = (u − u_b) − (u − u_b)_start
+/// constant memory, by sensor_limits.hpp. Two witnesses, of which one may be dead:
+///   the volume V_b of the back-pressure controller stands still,  |V_b − V_b,start| ≤
+///   kClosedVolume V the pore pressure leaves the back pressure,                   d = (u − u_b) −
+///   (u − u_b)_start
 /// A valve is open, or something leaks, where
 ///   water   V_b moves by more than that: a doubt at once, and for good;
-///   return  |d| was kWorth p′_0 or more, came back to a tenth of its largest and rests there, for
-///           as long as it took to come back, and kLeastRest readings: through an open valve u
+///   return  |d| was kLeft p′_0 or more, came back to kReturned of its largest and rests there, for
+///           as long as it took to come back, and kRests readings: through an open valve u
 ///           comes to u_b and stays, while a specimen that dilates passes it by;
 ///   silence the mean total stress p = σ_c + q/3 changed by kLoading p′_0 and |d| not by kAnswer of
-///           that, nor did it reach kWorth p′_0: a saturated specimen answers with B, of nearly 1.
+///           that, nor did it reach kLeft p′_0: a saturated specimen answers with B, of nearly 1.
 ///           A controller that holds its volume, which then stands still, instead of its pressure
 ///           goes along with u: there the change of u itself is the answer.
 /// The last two are suspicions, known late: if they last until the valve is opened or the record
 /// ends, the verdict ends where |d| began to shrink, or where the valve was shut. They are lifted
-/// where u leaves the back pressure after all, by kNear of its largest |d| or by kWorth p′_0, as
+/// where u leaves the back pressure after all, by kLeaves of its largest |d| or by kLeft p′_0, as
 /// through an open valve it does not: a loose specimen with air in its pores contracts by as much
 /// as a falling cell pressure lets the air expand, and u rests until it collapses. Where the back
 /// pressure is not read its last value stands, the value of u at the start if there was none; p and
@@ -33,12 +34,6 @@ namespace triax::lab {
 /// only the volume shows.
 class ClosedDrainage {
  public:
-  static constexpr double kWater = 5e-4;
-  static constexpr double kWorth = 0.05, kTurned = 0.9, kNotTurned = 0.95, kNear = 1.0 / 3,
-                          kBack = 0.1;
-  static constexpr std::int64_t kLeastRest = 10;
-  static constexpr double kLoading = 0.15, kAnswer = 0.2;
-
   struct Doubt {
     std::int64_t last = -1;  ///< last reading at which the specimen was undrained: the one before a
                              ///< mark, or before the water came
@@ -87,14 +82,14 @@ class ClosedDrainage {
   double largest_ = 0;  ///< of |d|
   double start_pore_ = NAN;
   double largest_alone_ = 0;  ///< of |u − u_start| while the volume that was read stood still
-  bool returning_ = false;    ///< |d| fell below kTurned of the largest, not above kNotTurned since
+  bool returning_ = false;    ///< |d| fell below kShrinks of the largest, not above kGrows since
   std::int64_t turned_ = -1;  ///< reading before it did
   struct Answer {
     double size = 0, total_p = 0;
   };
   std::optional<Answer>
-      near_;  ///< |d| and p since when it does not answer, within kNear of the largest
-  std::optional<std::int64_t> back_from_;  ///< since when |d| is within kBack of the largest
+      near_;  ///< |d| and p since when it does not answer, within kLeaves of the largest
+  std::optional<std::int64_t> back_from_;  ///< since when |d| is within kReturned of the largest
 };
 
 }  // namespace triax::lab

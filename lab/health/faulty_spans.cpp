@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "lab/health/sensor_limits.hpp"
+
 namespace triax::lab {
 namespace {
 
@@ -115,7 +117,8 @@ void FaultySpans::add(const Reading& reading) {
 std::vector<FaultySpan> FaultySpans::spans() const {
   std::vector<FaultySpan> spans;
   for (const auto& [span, fault] : found_) {
-    if (fault == SensorFault::missing && span.until - span.from < ChannelHealth::kGap) continue;
+    if (fault == SensorFault::missing && span.until - span.from < sensor_limits::kMissing.count())
+      continue;
     spans.push_back(span);
     spans.back().lasts = span.until == last_;
   }

@@ -18,7 +18,7 @@ struct FaultySpan {
 
 /// Collects the spans of a test from its readings, in constant memory beside them. Spans are those
 /// of RecordHealth, without channels that the header vouches for, without gaps of up to
-/// ChannelHealth::kGap readings, and without a volume that is not logged while the drainage is
+/// sensor_limits::kMissing readings, and without a volume that is not logged while the drainage is
 /// closed.
 class FaultySpans {
  public:

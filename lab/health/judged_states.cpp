@@ -9,17 +9,13 @@
 #include <numbers>
 #include <utility>
 
+#include "lab/health/sensor_limits.hpp"
+#include "lab/measured/assessment_limits.hpp"
 #include "lab/measured/path_sampler.hpp"
 #include "lab/results/test_type.hpp"
 
 namespace triax::lab {
 namespace {
-
-/// Across a stretch without readings: less than what counts as a collapse, which is
-/// assessment_limits::kLossOfStrength of q, and 1 % of axial strain at constant q
-/// (lasts_at_held_q). The limit of q is used for p′, which q follows.
-constexpr double kChangeOfStress = 0.10;
-constexpr double kChangeOfStrain = 0.01;
 
 /// Strains count from the first reading of shear.
 bool counts_from_shear(Quantity q) {
@@ -124,7 +120,7 @@ void JudgedStates::mark(const RecordHealth::Wrong& wrong) {
   }
   // A few readings that went in before they were known for a spike are no dead sensor.
   if (wrong.finding.fault == SensorFault::spike &&
-      wrong.until - wrong.from < ChannelHealth::kWidest)
+      wrong.until - wrong.from < sensor_limits::kSpike.count())
     return;
   if (wrong.from > judged_last_ || !last_live_ || !spoils(wrong.finding, last_live_->stage)) return;
   axis_was_dead_ = axis_was_dead_ || (channel_bit(wrong.finding.channel) & kLoad) != 0;
@@ -154,11 +150,15 @@ const JudgedStates::Judged* JudgedStates::next() {
   return &entry;
 }
 
+/// Across a stretch without readings: less than what counts as a collapse. The limit of q is used
+/// for p′, which q follows.
 bool JudgedStates::may_go_on(const State& state) const {
   return last_live_ &&
-         std::fabs(state.q - last_live_->q) < kChangeOfStress * std::fabs(last_live_->q) &&
-         std::fabs(state.p_eff - last_live_->p_eff) < kChangeOfStress * last_live_->p_eff &&
-         std::fabs(state.strain.axial - last_live_->strain.axial) < kChangeOfStrain;
+         std::fabs(state.q - last_live_->q) <
+             assessment_limits::kLossOfStrength * std::fabs(last_live_->q) &&
+         std::fabs(state.p_eff - last_live_->p_eff) <
+             assessment_limits::kLossOfStrength * last_live_->p_eff &&
+         std::fabs(state.strain.axial - last_live_->strain.axial) < assessment_limits::kHeldStrain;
 }
 
 /// False where the verdict has to end before this state.
@@ -228,7 +228,7 @@ void JudgedStates::judge(Judged& entry) {
     return;
   }
   if (!complete(entry.state)) return;
-  if (left_out_ > kShortGap) {
+  if (left_out_ > sensor_limits::kMissing.count()) {
     if (!may_go_on(entry.state)) {
       end_ = End{last_live_ ? last_live_->reading : -1, gap_reason_};
       entry.live = false;
@@ -255,7 +255,7 @@ bool JudgedStates::trusts_axis() const {
 std::optional<JudgedStates::End> JudgedStates::end() const {
   if (end_ || left_out_ == 0) return end_;
   const bool all_judged = finished_ && held_.empty();
-  if (left_out_ <= kShortGap && !(all_judged && died_)) return end_;
+  if (left_out_ <= sensor_limits::kMissing.count() && !(all_judged && died_)) return end_;
   return End{last_live_ ? last_live_->reading : -1, gap_reason_};
 }
 

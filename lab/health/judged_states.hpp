@@ -26,7 +26,6 @@ namespace triax::lab {
 class JudgedStates {
  public:
   static constexpr std::int64_t kHeld = 1024;
-  static constexpr std::int64_t kShortGap = 5;  ///< readings that may be left out without more ado
 
   struct Judged {
     Judged(const Reading& its_reading, const State& its_state)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/health/sensor_limits.hpp"
 #include "lab/measured/assessment_limits.hpp"
 #include "sim/mechanics/axisymmetric.hpp"
 #include "sim/mechanics/units.hpp"
@@ -13,11 +14,13 @@
 namespace triax::lab {
 namespace {
 
+namespace limits = sensor_limits;
+
 constexpr const char* kGiveCohesion =
     "give --set specimen.cohesion_kPa=... and --set specimen.limit_friction_angle_deg=...";
 
 bool is_test_pressure(double p_eff) {
-  return p_eff >= Plausibility::kMinStress && p_eff <= Plausibility::kMaxStress;
+  return p_eff >= limits::kMinStress && p_eff <= limits::kMaxStress;
 }
 
 double smaller_stress(const State& s) { return s.p_eff - (s.q >= 0 ? s.q / 3 : -2 * s.q / 3); }
@@ -25,14 +28,14 @@ double smaller_stress(const State& s) { return s.p_eff - (s.q >= 0 ? s.q / 3 : -
 }  // namespace
 
 double Plausibility::zero_error(double p_eff_start) {
-  constexpr double kLeast_pa = 5e3, kMostShare = 0.1, kShare = 0.02;
-  return std::max(std::min(kLeast_pa, kMostShare * p_eff_start), kShare * p_eff_start);
+  return std::max(std::min<double>(limits::kZeroError_pa, limits::kMaxZeroError * p_eff_start),
+                  limits::kZeroError * p_eff_start);
 }
 
 std::string Plausibility::impossible_specimen() const {
   if (!specimen_.height_m || !specimen_.diameter_m) return {};
   const double slimness = *specimen_.height_m / *specimen_.diameter_m;
-  if (slimness >= kFlattest && slimness <= kSlimmest) return {};
+  if (slimness >= limits::kFlattest && slimness <= limits::kSlimmest) return {};
   return fmt::format(
       "the specimen is {:g} mm high and {:g} mm wide, impossible in a triaxial cell: one of the "
       "two is wrong or in another unit",
@@ -40,7 +43,8 @@ std::string Plausibility::impossible_specimen() const {
 }
 
 bool Plausibility::exceeds_any_cell(const State& s) const {
-  const double max_stress = specimen_.cohesion_pa ? kMaxStressOfRock : 2 * kMaxStress;
+  const double max_stress =
+      specimen_.cohesion_pa ? limits::kMaxStressOfRock : 2 * limits::kMaxStress;
   return std::max(std::fabs(s.q), s.p_eff) > max_stress;
 }
 
@@ -53,7 +57,7 @@ bool Plausibility::is_possible(const State& s) const {
   if (exceeds_any_cell(s)) return false;
   // A specimen with cohesion can have any angle while its smaller effective stress is above zero.
   if (specimen_.cohesion_pa.value_or(0) > 0) return s.q <= 3 * reach(s) && -s.q <= 1.5 * reach(s);
-  return s.q <= kSteepest * reach(s) && -s.q <= kSteepestExtension * reach(s);
+  return s.q <= limits::kSteepest * reach(s) && -s.q <= limits::kSteepestExtension * reach(s);
 }
 
 std::string Plausibility::impossible(const State& s) const {
@@ -84,7 +88,6 @@ std::string Plausibility::impossible(const State& s) const {
 }
 
 void Plausibility::watch_fall(const State& s) {
-  constexpr double kFallen = 0.5;
   const double sign = furthest_ && furthest_->q < 0 ? -1 : 1;
   const double q = sign * s.q;
   if (!furthest_ || std::fabs(s.q) > largest_q_ ||
@@ -96,8 +99,8 @@ void Plausibility::watch_fall(const State& s) {
   const bool falls = q < least_since_;
   least_since_ = std::min(least_since_, q);
   const bool steeper = q * furthest_->p_eff >= sign * furthest_->q * s.p_eff;
-  if (slip_ || !falls || q > kFallen * sign * furthest_->q || !steeper) return;
-  if (!(s.p_eff > kWorth * first_->p_eff)) return;
+  if (slip_ || !falls || q > limits::kSlip * sign * furthest_->q || !steeper) return;
+  if (!(s.p_eff > limits::kRatioPressure * first_->p_eff)) return;
   slip_ = Slip{furthest_->reading,
                fmt::format("q fell from {:.1f} to {:.1f} kPa at a growing stress ratio while the "
                            "axial strain went back from {:.2f} to {:.2f} %, which is not an "
@@ -126,15 +129,16 @@ bool Plausibility::add(const State& s) {
   largest_strain_ = std::max(largest_strain_, std::fabs(strain));
   lowest_strain_ = std::min(lowest_strain_, strain);
   highest_strain_ = std::max(highest_strain_, strain);
-  if (!(s.p_eff > kWorth * first_->p_eff)) return true;
+  if (!(s.p_eff > limits::kRatioPressure * first_->p_eff)) return true;
   if (!tension_ && smaller_stress(s) < 0) tension_ = s;
   if (!steep_ && limit_.is_steep(s.q, s.p_eff)) steep_ = s;
   return true;
 }
 
 std::string Plausibility::idle() const {
-  constexpr double kStrain = 0.01, kShare = 0.01;
-  if (!first_ || largest_strain_ < kStrain || largest_q_ > kShare * first_->p_eff) return {};
+  if (!first_ || largest_strain_ < limits::kIdleStrain ||
+      largest_q_ > limits::kIdle * first_->p_eff)
+    return {};
   return fmt::format(
       "q stayed within {:.2g} kPa over {:.1f} % of axial strain, less than 1 % of p': the force is "
       "in another unit than its column states, or was not recorded",
@@ -142,14 +146,13 @@ std::string Plausibility::idle() const {
 }
 
 std::string Plausibility::backwards() const {
-  constexpr double kLeastStrain = 1e-3, kGrowth = 2, kOneSide = 0.2;
-  if (!first_ || largest_q_ < kGrowth * std::fabs(first_->q)) return {};
+  if (!first_ || largest_q_ < limits::kBackwards * std::fabs(first_->q)) return {};
   const double sign = most_q_ >= -least_q_ ? 1 : -1;
   const double other_q = sign > 0 ? -least_q_ : most_q_;
   const double onward = sign > 0 ? highest_strain_ : -lowest_strain_;
   const double back = sign > 0 ? -lowest_strain_ : highest_strain_;
-  const bool one_way = other_q < kOneSide * largest_q_ && onward < kOneSide * back;
-  if (!one_way || sign * strain_at_largest_ > -kLeastStrain) return {};
+  const bool one_way = other_q < limits::kOneSide * largest_q_ && onward < limits::kOneSide * back;
+  if (!one_way || sign * strain_at_largest_ > -limits::kBackwardsStrain) return {};
   return fmt::format(
       "q goes to {:.1f} kPa while the axial strain goes to {:.2f} %: one of the two has the "
       "opposite sign (in a dialect: sign = -1)",
@@ -170,8 +173,8 @@ std::string Plausibility::steep_words() const {
 
 /// Explains a q at the start of shear that was not applied; empty if there is none.
 std::string Plausibility::start_load_words() const {
-  constexpr double kMinError_pa = 5e3, kFraction = 0.02;
-  const double q = first_->q, error = std::max(kMinError_pa, kFraction * first_->p_eff);
+  const double q = first_->q;
+  const double error = std::max<double>(limits::kZeroError_pa, limits::kZeroError * first_->p_eff);
   if (q < -error)
     return fmt::format(
         "q is {:.1f} kPa at the start of shear: extension, or the load cell was not set to zero",

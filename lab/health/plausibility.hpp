@@ -14,7 +14,7 @@
 namespace triax::lab {
 
 /// Decides whether a state is possible, and looks at the specimen and at the states of shear as a
-/// whole, in constant memory.
+/// whole, in constant memory, by sensor_limits.hpp.
 ///   specimen     flatter than kFlattest or slimmer than kSlimmest: nothing can be judged
 ///   impossible   a state beyond the limit surface of any soil and the error of the sensors,
 ///                q > kSteepest (p' + e) or −q > kSteepestExtension (p' + e), so that p' and σ₃'
@@ -36,12 +36,6 @@ namespace triax::lab {
 ///                cohesion (assessment_limits::kSteepest)
 class Plausibility {
  public:
-  /// q/p' of 65 degrees in compression and in extension.
-  static constexpr double kSteepest = 2.6, kSteepestExtension = 1.39;
-  static constexpr double kFlattest = 0.5, kSlimmest = 4;  ///< height over diameter
-  static constexpr double kWorth = 0.1;
-  static constexpr double kMinStress = 500, kMaxStress = 60e6, kMaxStressOfRock = 1e9;  ///< Pa
-
   /// `begins_unloaded`: q is that of a measured force, and no type of test states an anisotropic
   /// consolidation.
   explicit Plausibility(SpecimenInfo specimen, bool begins_unloaded = false)

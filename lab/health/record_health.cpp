@@ -8,15 +8,14 @@
 #include <numbers>
 #include <utility>
 
+#include "lab/health/sensor_limits.hpp"
+#include "lab/measured/assessment_limits.hpp"
 #include "sim/mechanics/units.hpp"
 
 namespace triax::lab {
 namespace {
 
-/// From so many times its noise a change of p′ is one.
-constexpr double kNoises = 6;
-/// Change of the pore pressure that a controller at rest does not make.
-constexpr double kMinAnswer_pa = 200;
+namespace limits = sensor_limits;
 
 }  // namespace
 
@@ -42,7 +41,8 @@ void RecordHealth::start_stage(const Reading& reading) {
   const bool was_drained = drained_;
   path_flow_.reset();
   if (shear_ && info->strain_path_R) path_flow_ = std::fabs(1 - 1 / *info->strain_path_R);
-  drained_ = shear_ && info->drainage == Drainage::open && path_flow_.value_or(1) > kLeastFlow;
+  drained_ =
+      shear_ && info->drainage == Drainage::open && path_flow_.value_or(1) > limits::kPathFlow;
   fell_ = false;
   closed_ = info && info->drainage == Drainage::closed;
   open_ = info && info->drainage == Drainage::open;
@@ -79,7 +79,7 @@ void RecordHealth::watch(const Reading& reading) {
     if (channel.quantity == Quantity::pore_pressure && header_.is_foreign())
       channel.health.may_rest(is_held_through_valve(channel));
     channel.health.add(reading.number, reading[channel.quantity]);
-    channel.stirred = run >= ChannelHealth::kFlat && channel.health.run() == 0;
+    channel.stirred = run >= limits::kStuckAfterJump.count() && channel.health.run() == 0;
     if (channel.health.run() > 0) continue;
     channel.at_rest = now_;
     ++channel.moves;
@@ -98,20 +98,21 @@ void RecordHealth::watch(const Reading& reading) {
 bool RecordHealth::water_is_shut_in(const Channel& channel) const {
   constexpr std::size_t kPore = index(Quantity::pore_pressure);
   return std::fabs(now_[kPore] - channel.at_rest[kPore]) >
-         std::max(kMinAnswer_pa, kNoises * noise_of(Quantity::pore_pressure));
+         std::max<double>(limits::kShutWater, limits::kNoises * noise_of(Quantity::pore_pressure));
 }
 
 /// Through an open valve the pore pressure is the back pressure, and is held as long as that is.
 bool RecordHealth::is_held_through_valve(const Channel& channel) const {
   constexpr std::size_t kBack = index(Quantity::back_pressure);
   return open_ && !(std::fabs(now_[kBack] - channel.at_rest[kBack]) >
-                    std::max(kMinAnswer_pa, kNoises * noise_of(Quantity::back_pressure)));
+                    std::max<double>(limits::kShutWater,
+                                     limits::kNoises * noise_of(Quantity::back_pressure)));
 }
 
 void RecordHealth::note_fall(const Reading& reading) {
   const double now = reading[Quantity::axial_displacement];
   const double way = std::fabs(now - std::exchange(displacement_, now));
-  fell_ = fell_ || (!driven_ && way > kFall * volume_m3_ / area_m2_);
+  fell_ = fell_ || (!driven_ && way > assessment_limits::kLeap * volume_m3_ / area_m2_);
 }
 
 void RecordHealth::note_jumps(const Reading& reading) {
@@ -124,14 +125,14 @@ void RecordHealth::note_jumps(const Reading& reading) {
 
 bool RecordHealth::jumped(const Channel& channel) const {
   const auto jump = channel.health.jumped_at();
-  if (!jump || channel.health.run() < ChannelHealth::kFlat) return false;
+  if (!jump || channel.health.run() < limits::kStuckAfterJump.count()) return false;
   // A rig that is held goes on from the stage before without a break.
-  if (*jump <= stage_from_ - (held_ ? ChannelHealth::kFlat : 0)) return false;
+  if (*jump <= stage_from_ - (held_ ? limits::kStuckAfterJump.count() : 0)) return false;
   const bool alone = jump == channel.lonely_jump;
   if (channel.quantity != Quantity::back_volume) return alone;
   const double height = channel.health.jump_height();
-  return height > kImpossibleVolume * volume_m3_ ||
-         (height > kVolumeJump * volume_m3_ && (alone || closed_));
+  return height > limits::kImpossibleJump * volume_m3_ ||
+         (height > limits::kVolumeJump * volume_m3_ && (alone || closed_));
 }
 
 std::int64_t RecordHealth::rest(const Channel& channel, const Reading& reading) const {
@@ -146,7 +147,7 @@ void RecordHealth::compare(Channel& channel, const Reading& reading) {
   if (at_rest > kLongestRest) {
     // Too late to hold states back: what rested on it is taken back.
     const bool stopped = channel.quantity == Quantity::back_volume && drained_ && !fell_ &&
-                         channel.moves >= kAtRest && outlasts(channel, reading);
+                         channel.moves >= limits::kStuck.count() && outlasts(channel, reading);
     if (stopped) health.condemn();
     return;
   }
@@ -154,15 +155,15 @@ void RecordHealth::compare(Channel& channel, const Reading& reading) {
     health.condemn();
     return;
   }
-  bool waited = at_rest >= kAtRest;
+  bool waited = at_rest >= limits::kStuck.count();
   if (channel.quantity == Quantity::pore_pressure) return;
   if (channel.quantity == Quantity::back_volume) {
     if (!drained_ || fell_) return;
     if (channel.moves == 0 && waited && never_moves(channel, reading)) return health.condemn();
-    if (channel.moves < kAtRest) return;
+    if (channel.moves < limits::kStuck.count()) return;
     const auto longest = static_cast<double>(std::max<std::int64_t>(channel.longest_run, 1));
     const auto run = static_cast<double>(at_rest);
-    waited = waited && (run >= kLongRuns * longest || runs_away(channel, reading));
+    waited = waited && (run >= limits::kLongRest * longest || runs_away(channel, reading));
   }
   doubtful_from_ = std::min(doubtful_from_, health.run_from());
   if (waited && cannot_rest(channel, reading)) health.condemn();
@@ -180,28 +181,28 @@ bool RecordHealth::runs_away(const Channel& channel, const Reading& reading) con
   const double way =
       reading[Quantity::axial_displacement] - channel.at_rest[index(Quantity::axial_displacement)];
   return !driven_ && sound({Quantity::axial_displacement}) &&
-         std::fabs(way) > kRunningStrain * height;
+         std::fabs(way) > limits::kRunningStrain * height;
 }
 
 /// At rest while p′ changed by more than a volume can stand still for.
 bool RecordHealth::outlasts(const Channel& channel, const Reading& reading) const {
   const double before = p_eff(channel.at_rest);
-  return std::fabs(p_eff(now_) - before) > kLargeChangeOfP * before &&
+  return std::fabs(p_eff(now_) - before) > limits::kLargeChangeOfP * before &&
          cannot_rest(channel, reading);
 }
 
 /// A counter that moved before shear and in drained shear not once, whatever p′ does.
 bool RecordHealth::never_moves(const Channel& channel, const Reading& reading) const {
-  return channel.health.noise().moves() >= kAtRest && outlasts(channel, reading);
+  return channel.health.noise().moves() >= limits::kStuck.count() && outlasts(channel, reading);
 }
 
 bool RecordHealth::loads_up(const Channel& channel, const Reading& reading) const {
   const double before = std::fabs(channel.at_rest[index(Quantity::axial_force)]);
   const double gain = std::fabs(reading[Quantity::axial_force]) - before;
   const auto longest = static_cast<double>(std::max<std::int64_t>(channel.longest_run, 1));
-  return channel.moves >= kAtRest && gain > kGainOfLoad * before &&
-         gain > kNoises * noise_of(Quantity::axial_force) &&
-         static_cast<double>(rest(channel, reading)) >= kVeryLongRuns * longest;
+  return channel.moves >= limits::kStuck.count() && gain > limits::kGainOfLoad * before &&
+         gain > limits::kNoises * noise_of(Quantity::axial_force) &&
+         static_cast<double>(rest(channel, reading)) >= limits::kVeryLongRest * longest;
 }
 
 bool RecordHealth::cannot_rest(const Channel& channel, const Reading& reading) const {
@@ -214,21 +215,21 @@ bool RecordHealth::cannot_rest(const Channel& channel, const Reading& reading) c
   if (channel.quantity == Quantity::axial_force) {
     const double strain = change(Quantity::axial_displacement) / height;
     return sound({Quantity::axial_displacement}) &&
-           std::fabs(channel.health.value()) * strain > kSteps * step;
+           std::fabs(channel.health.value()) * strain > limits::kSteps * step;
   }
   if (channel.quantity == Quantity::axial_displacement) {
     if (!sound({Quantity::axial_force})) return false;
-    const double strain = change(Quantity::axial_force) / area_m2_ / kStiffest_pa;
-    return strain * height > kLeastSteps * step || loads_up(channel, reading);
+    const double strain = change(Quantity::axial_force) / area_m2_ / limits::kStiffest;
+    return strain * height > limits::kMinSteps * step || loads_up(channel, reading);
   }
   const double strain = change(Quantity::axial_displacement) / height;
-  if (path_flow_ && !(*path_flow_ * strain * volume_m3_ > kSteps * step)) return false;
+  if (path_flow_ && !(*path_flow_ * strain * volume_m3_ > limits::kSteps * step)) return false;
   if (runs_away(channel, reading)) return true;
   const double before = p_eff(channel.at_rest);
   const double share = std::fabs(p_eff(now_) - before) / before;
   return sound({Quantity::axial_force, Quantity::cell_pressure, Quantity::pore_pressure}) &&
-         before > 0 && share > kChangeOfP && share * before > kNoises * p_noise() &&
-         share / kStiffestBulk * volume_m3_ > kLeastSteps * step;
+         before > 0 && share > limits::kChangeOfP && share * before > limits::kNoises * p_noise() &&
+         share / limits::kStiffestBulk * volume_m3_ > limits::kMinSteps * step;
 }
 
 double RecordHealth::p_eff(const RawValues& values) const {

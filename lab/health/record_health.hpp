@@ -19,40 +19,26 @@ namespace triax::lab {
 using ChannelSet = std::uint32_t;
 constexpr ChannelSet channel_bit(Quantity q) { return ChannelSet{1} << index(q); }
 
-/// Beside what ChannelHealth sees in one channel (raw records only):
+/// Beside what ChannelHealth sees in one channel (raw records only), by sensor_limits.hpp:
 /// - in shear driven by displacement, the force stands still to the last digit though the area grew
 ///   so much that it cannot: F Δε of kSteps steps of its converter;
 /// - in shear driven by displacement, the displacement stands still though the load changed by more
-///   than the stiffest soil takes up within kLeastSteps steps of the converter; or it stands still
-///   kVeryLongRuns times as long as ever before in the stage and the load grows by kGainOfLoad,
+///   than the stiffest soil takes up within kMinSteps steps of the converter; or it stands still
+///   kVeryLongRest times as long as ever before in the stage and the load grows by kGainOfLoad,
 ///   where a frame that has stopped would see it relax;
-/// - in drained shear, the volume stands still kLongRuns times as long as ever before while p′
+/// - in drained shear, the volume stands still kLongRest times as long as ever before while p′
 ///   changes by kChangeOfP, by more than noise, and by more than the stiffest soil takes up within
-///   kLeastSteps steps: at a turn of the volume it rests three times as long as just before, and
+///   kMinSteps steps: at a turn of the volume it rests three times as long as just before, and
 ///   where it has come to rest for good, so has p′; or it moved before shear and in shear not once,
 ///   while p′ changes by kLargeChangeOfP; or, under a load or a held q, while the axial
 ///   strain grows by kRunningStrain: nothing shears like that at constant volume. Along a strain
 ///   path, dε_v = (1 − 1/R) dε₁, only where more than kSteps steps of flow were prescribed, and not
-///   at all where that is next to nothing (kLeastFlow);
+///   at all where that is next to nothing (kPathFlow);
 /// - in shear, the pore pressure (driven by displacement, force and displacement too) jumps alone
 ///   and then stands still to the last digit; at any time the volume, by kVolumeJump of the
-///   specimen's. With the valve closed, or by kImpossibleVolume, it need not be alone.
+///   specimen's. With the valve closed, or by kImpossibleJump, it need not be alone.
 class RecordHealth {
  public:
-  static constexpr double kSteps = 20;
-  static constexpr double kLeastSteps = 3;
-  static constexpr double kStiffest_pa = 2e9;   ///< Young's modulus beyond that of soils
-  static constexpr double kStiffestBulk = 1e3;  ///< drained bulk modulus over p′, the same
-  static constexpr double kVolumeJump = 1e-4, kImpossibleVolume = 1e-2;
-  static constexpr double kLongRuns = 8, kVeryLongRuns = 20;
-  static constexpr double kGainOfLoad = 0.01;
-  static constexpr double kChangeOfP = 0.01, kLargeChangeOfP = 0.05;
-  static constexpr double kRunningStrain = 3e-3;
-  static constexpr double kLeastFlow = 0.05;  ///< |dε_v/dε₁| of a strain path that is no flow
-  /// Axial strain between two readings, for which water needs longer than a specimen that falls.
-  static constexpr double kFall = 1e-2;
-  static constexpr std::int64_t kAtRest = 30;  ///< readings for which a channel must stand still
-
   /// Readings after which a channel at rest is no longer doubted by what others do.
   static constexpr std::int64_t kLongestRest = 900;
 
@@ -126,8 +112,8 @@ class RecordHealth {
   bool shear_ = false, driven_ = false, drained_ = false, closed_ = false, open_ = false;
   bool held_ = false;
   std::optional<double> path_flow_;  ///< |dε_v/dε₁| that the stage prescribes
-  bool fell_ = false;                ///< in this stage, by kFall from one reading to the next
-  double displacement_ = NAN;        ///< axial, at the last reading
+  bool fell_ = false;  ///< in this stage, by assessment_limits::kLeap from one reading to the next
+  double displacement_ = NAN;                  ///< axial, at the last reading
   static constexpr std::size_t kTimes = 1024;  ///< more than any hindsight
   std::array<double, kTimes> times_{};         ///< of the last readings
   RawValues now_{};

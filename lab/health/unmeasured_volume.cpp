@@ -7,15 +7,10 @@
 #include <array>
 #include <cmath>
 
+#include "lab/health/sensor_limits.hpp"
 #include "lab/measured/path_sampler.hpp"
 
 namespace triax::lab {
-namespace {
-
-constexpr double kConstant = 0.05, kMinConstant_pa = 2e3;
-
-}  // namespace
-
 UnmeasuredVolume::UnmeasuredVolume(const RecordHeader& header) : header_(header) {
   using enum Quantity;
   const auto has = [&](Quantity q) { return header.has(q); };
@@ -35,7 +30,9 @@ State UnmeasuredVolume::completed(const State& state) {
   if (stage_ != state.stage) radial_start_ = state.effective_stress.radial;
   stage_ = state.stage;
   const double change = std::fabs(state.effective_stress.radial - radial_start_);
-  const bool is_constant = change <= std::max(kConstant * radial_start_, kMinConstant_pa);
+  const bool is_constant =
+      change <= std::max<double>(sensor_limits::kConstantStress * radial_start_,
+                                 sensor_limits::kConstantStress_pa);
   if (!is_constant || !is_drained_frame(header_.stage(state.stage))) return state;
   State completed = state;
   completed.volumetric_strain = 0;

@@ -9,10 +9,9 @@
 namespace triax::lab {
 namespace {
 
-constexpr int kKnown = 4;           ///< points that make a rate
-constexpr int kMemory = 64;         ///< points that the usual rate remembers
-constexpr double kDead = 0.002;     ///< of the usual rate: the strain does not move at all
-constexpr double kMinRatio = 0.05;  ///< |q|/p' of a strength that can be lost
+constexpr int kKnown = 4;        ///< points that make a rate
+constexpr int kMemory = 64;      ///< points that the usual rate remembers
+constexpr double kDead = 0.002;  ///< of the usual rate: the strain does not move at all
 
 // The middle of the window itself: what was smoothed over it begins to stand before the drive does.
 double middle(const PathPoint& point, PathSample::Signal signal) {
@@ -96,7 +95,8 @@ void AxisRest::watch_reversal(const PathPoint& point) {
 void AxisRest::doubt(const PathPoint& point, double now) {
   if (held_.empty()) {
     q_at_stop_ = middle(*before_, PathSample::q);
-    stopped_under_load_ = strength(*before_) > kMinRatio * middle(*before_, PathSample::p_eff);
+    stopped_under_load_ =
+        strength(*before_) > assessment_limits::kMinRatio * middle(*before_, PathSample::p_eff);
     stopped_at_ = std::llround(before_->reading);
   }
   if (now >= kResumes * typical_)

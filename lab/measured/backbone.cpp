@@ -10,9 +10,8 @@
 namespace triax::lab {
 namespace {
 
-constexpr double kStep = 1e-5;   ///< axial strain that is larger than before
-constexpr double kTurn = 2e-4;   ///< back from the farthest: unloading, not noise
-constexpr double kRegain = 1.1;  ///< of p′, from one stage to the next: consolidated anew
+constexpr double kStep = 1e-5;  ///< axial strain that is larger than before
+constexpr double kTurn = 2e-4;  ///< back from the farthest: unloading, not noise
 namespace limits = assessment_limits;
 constexpr double kLeapOfSteps = 3;  ///< times the largest step of the strain before
 
@@ -116,7 +115,7 @@ void Backbone::Side::descend(const State& state, double step, bool drained) {
 
 bool Backbone::Side::counts() const {
   return any && fall.readings > 0 && fall.readings <= kFew &&
-         strength(fall.peak) > kMinRatio * fall.peak.p_eff && gone(fall.least) &&
+         strength(fall.peak) > limits::kMinRatio * fall.peak.p_eff && gone(fall.least) &&
          fall.axis_went_on && fall.normalised_work() < 0;
 }
 
@@ -167,7 +166,7 @@ void Backbone::start_stage(bool drained) {
 void Backbone::add(const State& state, const std::optional<Moment>& now) {
   if (!first_) first_ = state;
   // The next specimen of a multistage test is stronger from its first reading on.
-  if (new_stage_ && last_ && state.p_eff > kRegain * last_->p_eff)
+  if (new_stage_ && last_ && state.p_eff > limits::kConsolidated * last_->p_eff)
     for (Side& side : sides_) side.turned = true;
   new_stage_ = false;
   last_ = state;

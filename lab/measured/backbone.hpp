@@ -47,7 +47,6 @@ struct BackboneFall {
 class Backbone {
  public:
   static constexpr double kMinStrain = 5e-4, kMinPace = 0.5;  ///< BackboneFall::axis_went_on
-  static constexpr double kMinRatio = 0.05;                   ///< |q|/p′ of a peak that is one
   static constexpr std::int64_t kFew = 32;                    ///< readings
 
   void start_stage(bool drained);

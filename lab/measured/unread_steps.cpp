@@ -20,8 +20,8 @@ bool UnreadSteps::add(const State& state) {
   const double leap = std::fabs(state.strain.axial - before->strain.axial);
   const double loss = std::fabs(before->q) - std::fabs(state.q);
   const double strain_rate = leap / lapse, q_rate = std::fabs(state.q - before->q) / lapse;
-  const bool leaps =
-      leap >= kLeap && strain_.outruns(strain_rate) && -loss < leap / 2 * std::fabs(before->q);
+  const bool leaps = leap >= assessment_limits::kRunaway && strain_.outruns(strain_rate) &&
+                     -loss < leap / 2 * std::fabs(before->q);
   const bool falls = loss > kFall * std::fabs(before->q) && q_.outruns(q_rate);
   strain_.add(strain_rate);
   q_.add(q_rate);

@@ -4,21 +4,20 @@
 #include <cstdint>
 #include <optional>
 
+#include "lab/measured/assessment_limits.hpp"
 #include "lab/results/state.hpp"
 
 namespace triax::lab {
 
 /// Whether a line from one reading to the next would show what nobody measured. The step is one in
-/// which, at more than kTimes its mean rate so far (per second; per reading without time),
-///   the axial strain leaps by kLeap or more while |q| did not grow by half as much of itself (as
-///   in a step of the load), or
-///   |q| falls by kFall of what it was.
+/// which, at more than kBurst (assessment_limits.hpp) times its mean rate so far (per second; per
+/// reading without time),
+///   the axial strain leaps by kRunaway or more while |q| did not grow by half as much of itself
+///   (as in a step of the load), or |q| falls by kFall of what it was.
 /// Values that are not known (NaN) are passed over.
 class UnreadSteps {
  public:
-  static constexpr double kTimes = 10;
-  static constexpr double kLeap = 0.005;  ///< axial strain
-  static constexpr double kFall = 0.25;   ///< of |q|
+  static constexpr double kFall = 0.25;  ///< of |q|
 
   explicit UnreadSteps(bool has_time) : has_time_(has_time) {}
 
@@ -32,7 +31,9 @@ class UnreadSteps {
   struct Rate {
     double mean = 0;
     std::int64_t steps = 0;
-    bool outruns(double rate) const { return steps >= kKnown && rate > kTimes * mean; }
+    bool outruns(double rate) const {
+      return steps >= kKnown && rate > assessment_limits::kBurst * mean;
+    }
     void add(double rate);
   };
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "lab/health/sensor_limits.hpp"
 #include "lab/results/reading.hpp"
 #include "lab/results/summary.hpp"
 
@@ -12,7 +13,7 @@ namespace triax::lab {
 /// largest departure within an undrained shear stage, |V_b − V_b,start|/V.
 class ClosedValve {
  public:
-  static constexpr double kLimit = 5e-4;
+  static constexpr double kLimit = sensor_limits::kClosedVolume;
 
   void add(const Reading& reading, bool undrained_shear, double volume_m3);
   /// Empty where no undrained shear with a back volume was seen.

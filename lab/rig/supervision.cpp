@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lab/devices/spoken_unit.hpp"
+#include "lab/health/sensor_limits.hpp"
 
 namespace triax::lab {
 namespace {
@@ -245,10 +246,10 @@ std::optional<double> Supervision::RestingVolume::rests(double volume, double al
 }
 
 void Supervision::watch_closed_valve(const Seen& seen, const Demanded& asked, double dt_s) {
-  constexpr double kShare = 5e-4;  // of the specimen's volume
   const double volume = seen[Quantity::back_volume];
   if (asked.valve_open) return back_water_.moves(volume);
-  if (const auto flowed = back_water_.rests(volume, kShare * volume_m3_, dt_s))
+  if (const auto flowed =
+          back_water_.rests(volume, sensor_limits::kClosedVolume * volume_m3_, dt_s))
     notes_.push_back(
         fmt::format("water flows although the valve is closed ({:.0f} mm3 since then): the valve "
                     "does not close, or there is a leak",

@@ -7,16 +7,16 @@
 
 #include "lab/measured/assessment_limits.hpp"
 #include "lab/measured/cycles.hpp"
+#include "lab/warning/warning_limits.hpp"
 
 namespace triax::lab {
 namespace {
 
 using Sample = LoadBranch::Sample;
+namespace limits = warning_limits;
 
 constexpr double kMinRange = 0.02;     ///< of a load that turns, of p′₀
 constexpr double kTurn = 0.1;          ///< of the range of q, by which it comes back
-constexpr double kChangedEnd = 0.08;   ///< of the range, from which a load is another
-constexpr double kResting = 0.05;      ///< of the range, within which a load rests
 constexpr double kSamePhase = 0.02;    ///< of the range, that a partner may miss
 constexpr double kOuter = 0.8;         ///< of q_a, from which q is near an end of the load
 constexpr double kMinPressure = 0.05;  ///< of p′₀
@@ -120,14 +120,14 @@ bool CyclicWarning::add(const State& state) {
   numbers_ = describe_cycle();
   if (!numbers_) return false;
   probability_ = probability(*numbers_);
-  const bool withdraws = load_was_carried_ && probability_ < kWithdraw;
-  return std::exchange(is_imminent_, is_imminent_ ? !withdraws : probability_ >= kIssue) !=
+  const bool withdraws = load_was_carried_ && probability_ < limits::kWithdraw;
+  return std::exchange(is_imminent_, is_imminent_ ? !withdraws : probability_ >= limits::kIssue) !=
          is_imminent_;
 }
 
 /// Longer than the last cycle.
 bool CyclicWarning::rests(double q, double at) {
-  const bool moved = std::fabs(q - anchor_.q) > kResting * range();
+  const bool moved = std::fabs(q - anchor_.q) > limits::kResting * range();
   const bool rests = !moved && turn_times_.size() == kTurnsUncounted &&
                      at - anchor_.at > turn_times_.back() - turn_times_.front();
   if (moved || rests) anchor_ = {q, at};
@@ -161,14 +161,14 @@ void CyclicWarning::extend(Sample sample, double at) {
   current_.add(sample);
   extreme_ = {sample.q, at};
   auto& last = end(direction_);
-  if (!last || direction_ * (sample.q - *last) <= kChangedEnd * range()) return;
+  if (!last || direction_ * (sample.q - *last) <= limits::kChangedEnd * range()) return;
   start_again(Restart::larger_load);
   last.reset();
 }
 
 void CyclicWarning::turn(const Sample& sample, double at) {
   auto& last = end(direction_);
-  load_was_carried_ = !last || direction_ * (*last - extreme_.q) <= kChangedEnd * range();
+  load_was_carried_ = !last || direction_ * (*last - extreme_.q) <= limits::kChangedEnd * range();
   if (!load_was_carried_) start_again(Restart::smaller_load);
   last = extreme_.q;
   ++turns_;
@@ -200,7 +200,7 @@ void CyclicWarning::interrupt() {
 
 /// The first half cycle began outside the load: it is no part of the cycles.
 bool CyclicWarning::is_loaded_first() const {
-  return std::fabs(start_q_ - middle()) > (0.5 + kChangedEnd) * range();
+  return std::fabs(start_q_ - middle()) > (0.5 + limits::kChangedEnd) * range();
 }
 
 /// The load of a rest is as it was: the work of the first cycle stays a measure.

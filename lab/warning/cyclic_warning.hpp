@@ -71,14 +71,14 @@ class LoadBranch {
 
 /// Processes the states of undrained shear one at a time, in constant memory. It counts in load
 /// cycles: at a turn, q comes back by more than a tenth of its range, 2 % of p′₀, and
-/// assessment_limits::kNoise times its noise. If an end of the load moves by more than 8 % of the
-/// range, or the load rests for longer than a cycle, the comparison starts again with the next
-/// cycle. A warning is issued at P = 0.6. It is withdrawn below P = 0.1 at a turn of q, if the
-/// specimen carried the load up to there. It is never changed while the comparison starts again.
+/// assessment_limits::kNoise times its noise. If an end of the load moves by more than
+/// warning_limits::kChangedEnd, or the load rests for longer than a cycle, the comparison starts
+/// again with the next cycle. A warning is issued at P = kIssue. It is withdrawn below P =
+/// kWithdraw at a turn of q, if the specimen carried the load up to there. It is never changed
+/// while the comparison starts again.
 class CyclicWarning {
  public:
   enum class Restart { none, larger_load, smaller_load, rest, interruption };
-  static constexpr double kIssue = 0.6, kWithdraw = 0.1;
   static constexpr std::size_t kNumbers = 4;
   using Numbers = std::array<double, kNumbers>;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lab/warning/driven_fit.hpp"
+#include "lab/warning/warning_limits.hpp"
 
 namespace triax::lab {
 namespace {
@@ -21,7 +22,6 @@ constexpr double kModel = 0.7;
 /// counts as distance, since the start of a stage bends more sharply than what follows.
 constexpr double kSpan = 0.2;
 constexpr double kPast = 2;         ///< standard errors past which earlier tests are not used
-constexpr double kCovered = 0.02;   ///< of the η forecast: what has to be seen of it in the stage
 constexpr int kLooksInAll = 64;     ///< a look each so many-th part of the readings
 constexpr int kLooksNear = 1024;    ///< near the onset: every reading of a shorter stage
 constexpr double kLooksFrom = 0.2;  ///< fraction of η left, from which it is near
@@ -254,7 +254,8 @@ std::optional<EtaForecast> OnsetForecast::made() {
     if (on_path) path_at_onset(*f, (made.eta - here.eta) / f->distance, here, made);
   }
   if (made.by_earlier) return made;
-  return made.covered * made.now < kCovered * made.eta ? std::nullopt : std::optional(made);
+  return made.covered * made.now < warning_limits::kCovered * made.eta ? std::nullopt
+                                                                       : std::optional(made);
 }
 
 std::optional<double> OnsetForecast::rate() const {

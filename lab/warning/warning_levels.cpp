@@ -5,37 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "lab/warning/warning_limits.hpp"
+
 namespace triax::lab {
 namespace {
 
-constexpr double kNear = 0.25, kClose = 0.15;  ///< share of η that is left
-constexpr double kWithin = 0.35;               ///< likewise, of an onset that may be imminent
-constexpr double kFar = 0.45;                  ///< likewise, from which nothing is ahead
-constexpr double kUnsure = 0.12, kUnsureSoon = 0.15;  ///< standard error of what says nothing, of η
-constexpr double kVague = 0.4;    ///< likewise, of one that is not worth telling
-constexpr double kHighest = 1.0;  ///< |η| at an onset where no limit is known
-/// Fraction of η that the stage must have covered, and largest standard error of normalised work
-/// along a strain path.
-constexpr double kSeen = 0.06, kUnsureWork = 0.1;
-/// Of −dp′/dx at the onset over what it is now: from which it is an onset, and none.
-constexpr double kFalls = 0.95, kFallsLess = 0.8, kTurns = 0.7;
-/// Normalised work at most: near an onset, and near one though p′ falls less and less.
-constexpr double kWorkNear = 0.4, kWorkNearLess = 0.25;
-/// Likewise, soon before an onset: by a load, though p′ falls less, within kScans; by displacement
-/// also once the forecast may be passed.
-constexpr double kWorkLoad = 0.33, kWorkLess = 0.185, kWorkScans = 0.5, kWorkFrame = 0.14;
-/// At held q, by the share of η that is left: below which a hunting pressure may bring the fall.
-constexpr double kPerturbed = 0.1;
-/// Fraction of the limit surface by which an onset lies below it: from there on work counts as it
-/// is. For an onset on the limit itself no work is low.
-constexpr double kRoom = 0.45;
-constexpr double kSofter = 0.58, kSoft = 0.55;  ///< dy/dx at held q over its largest: near, soon
-constexpr int kNearLooks = 3, kSoonLooks = 2, kFarLooks = 5;  ///< in a row
-constexpr int kFew = 64;                                      ///< readings of the stage
-constexpr double kSure = 0.03;                                ///< standard error of normalised work
-constexpr double kScans = 5, kScansOnPath = 3, kSeconds = 120, kShareOfStage = 0.2;
-constexpr double kScansKnown = 2, kSureKnown = 0.06;  ///< where earlier tests know of the onset
-constexpr double kAtMost = 4;  ///< of such a time, until the onset as it is forecast
+namespace limits = warning_limits;
 
 double progress_of(const State& s, bool has_time) { return has_time ? s.time_s : s.strain.axial; }
 double lapse(const LeftToOnset& left) { return left.time_s.value_or(left.value); }
@@ -62,12 +37,12 @@ bool WarningLevels::add(const State& state) {
 
 bool WarningLevels::is_near() const {
   const auto& f = forecast();
-  if (!f || f->error > kUnsure * f->eta || f->covered < kSeen) return false;
+  if (!f || f->error > limits::kUnsure * f->eta || f->covered < limits::kSeen) return false;
   if (f->by == AxialControl::constant_q)
-    return f->left() <= kClose && f->stiffness + f->stiffness_error <= kSofter;
-  if (f->left() > kNear) return false;
-  return (f->work <= room_ * kWorkNear && f->fall >= kFalls) ||
-         (f->work <= room_ * kWorkNearLess && f->fall >= kFallsLess);
+    return f->left() <= limits::kClose && f->stiffness + f->stiffness_error <= limits::kSofter;
+  if (f->left() > limits::kNear) return false;
+  return (f->work <= room_ * limits::kWorkNear && f->fall >= limits::kFalls) ||
+         (f->work <= room_ * limits::kWorkNearLess && f->fall >= limits::kFallsLess);
 }
 
 /// Looks at neighbouring readings are hardly more evidence than one.
@@ -79,7 +54,8 @@ double WarningLevels::count_look(bool shows, double in_row) const {
 bool WarningLevels::is_far() const {
   const auto& f = forecast();
   if (!forecast_.clear()) return false;
-  return !f || f->left() > kFar || f->error > 2 * kUnsure * f->eta || f->fall < kTurns;
+  return !f || f->left() > limits::kFar || f->error > 2 * limits::kUnsure * f->eta ||
+         f->fall < limits::kTurns;
 }
 
 /// What is left of what drives the stage until η, and the time at the present rate.
@@ -99,7 +75,7 @@ std::optional<LeftToOnset> WarningLevels::left(double eta) const {
 
 bool WarningLevels::is_imminent() const {
   const EtaForecast& f = *forecast();
-  if (f.error > kUnsureSoon * f.eta || f.left() > kWithin || !before_) return false;
+  if (f.error > limits::kUnsureSoon * f.eta || f.left() > limits::kWithin || !before_) return false;
   if (may_come()) return true;
   return f.by == AxialControl::constant_q ? is_imminent_at_held_q() : is_imminent_on_path();
 }
@@ -107,7 +83,7 @@ bool WarningLevels::is_imminent() const {
 /// Earlier tests of the sand went through as little work, and carried on.
 bool WarningLevels::carried_on_there() const {
   const auto least = forecast_.carried_on();
-  return least && forecast()->work + 2 * forecast()->work_error + kSure >= *least;
+  return least && forecast()->work + 2 * forecast()->work_error + limits::kSure >= *least;
 }
 
 /// Where earlier tests agree that there is an onset it needs no stiffness that is nearly gone: it
@@ -115,21 +91,24 @@ bool WarningLevels::carried_on_there() const {
 bool WarningLevels::may_come() const {
   const EtaForecast& f = *forecast();
   const double step = std::fabs(state_->eta()) - std::fabs(before_->eta());
-  return f.by_earlier && forecast_.earlier_agree() && f.error <= kSureKnown * f.eta &&
-         f.fall >= kTurns && eta_now_ + kScansKnown * std::max(step, 0.0) >= f.eta - f.error;
+  return f.by_earlier && forecast_.earlier_agree() && f.error <= limits::kSureKnown * f.eta &&
+         f.fall >= limits::kTurns &&
+         eta_now_ + limits::kScansKnown * std::max(step, 0.0) >= f.eta - f.error;
 }
 
 /// Not when it will be, but when it may be: `left` counts to a standard error before the forecast.
 bool WarningLevels::is_imminent_on_path() const {
   const EtaForecast& f = *forecast();
-  if (f.work_error > kUnsureWork) return false;
+  if (f.work_error > limits::kUnsureWork) return false;
   const double may_be = f.eta - f.error;
   if (f.by != AxialControl::load)
-    return f.fall >= kFalls && ((f.work <= room_ * kWorkFrame && f.left() <= kClose) ||
-                                (f.work - f.work_error <= room_ * kWorkLess && eta_now_ >= may_be));
-  if (f.work <= room_ * kWorkLess) return f.fall >= kFallsLess;
-  return f.fall >= kFalls && (f.work <= room_ * kWorkLoad ||
-                              (f.work <= room_ * kWorkScans && within_scans(may_be, kScansOnPath)));
+    return f.fall >= limits::kFalls &&
+           ((f.work <= room_ * limits::kWorkFrame && f.left() <= limits::kClose) ||
+            (f.work - f.work_error <= room_ * limits::kWorkLess && eta_now_ >= may_be));
+  if (f.work <= room_ * limits::kWorkLess) return f.fall >= limits::kFallsLess;
+  return f.fall >= limits::kFalls &&
+         (f.work <= room_ * limits::kWorkLoad ||
+          (f.work <= room_ * limits::kWorkScans && within_scans(may_be, limits::kScansOnPath)));
 }
 
 bool WarningLevels::within_scans(double eta, double scans) const {
@@ -139,14 +118,14 @@ bool WarningLevels::within_scans(double eta, double scans) const {
 
 bool WarningLevels::is_imminent_at_held_q() const {
   const EtaForecast& f = *forecast();
-  if (f.covered < kSeen) return false;
-  if (f.work <= kPerturbed && f.left() <= kPerturbed) return true;
+  if (f.covered < limits::kSeen) return false;
+  if (f.work <= limits::kPerturbed && f.left() <= limits::kPerturbed) return true;
   const auto first = left(f.eta - f.error), at_last = left(f.eta);
-  if (f.stiffness + f.stiffness_error > kSoft || !first || !at_last) return false;
-  const double share = kShareOfStage * since(*first_);
-  const double soon =
-      std::max(kScans * since(*before_), has_time_ ? std::min(kSeconds, share) : share);
-  return lapse(*first) <= soon && lapse(*at_last) <= kAtMost * soon;
+  if (f.stiffness + f.stiffness_error > limits::kSoft || !first || !at_last) return false;
+  const double share = limits::kPartOfStage * since(*first_);
+  const double soon = std::max(limits::kScans * since(*before_),
+                               has_time_ ? std::min<double>(limits::kSeconds, share) : share);
+  return lapse(*first) <= soon && lapse(*at_last) <= limits::kAtMost * soon;
 }
 
 double WarningLevels::since(const State& s) const {
@@ -156,28 +135,29 @@ double WarningLevels::since(const State& s) const {
 /// Among few readings the next may be after the fall.
 bool WarningLevels::is_last_chance() const {
   const EtaForecast& f = *forecast();
-  return forecast_.readings() <= kFew && f.work_error <= kSure && within_scans(f.eta, 1);
+  return forecast_.readings() <= limits::kFew.count() && f.work_error <= limits::kSure &&
+         within_scans(f.eta, 1);
 }
 
 bool WarningLevels::look(std::optional<bool> inside, double below_limit) {
   if (level_ == WarningLevel::lost) return false;
-  room_ = std::clamp(below_limit / kRoom, 0.0, 1.0);
+  room_ = std::clamp(below_limit / limits::kRoom, 0.0, 1.0);
   if (is_new_) {
     near_ = count_look(is_near(), near_);
     far_ = count_look(is_far(), far_);
   }
   const WarningLevel was = level_;
-  const bool points = forecast() && inside != false && (inside || forecast()->eta < kHighest) &&
-                      !carried_on_there();
+  const bool points = forecast() && inside != false &&
+                      (inside || forecast()->eta < limits::kHighest) && !carried_on_there();
   if (is_new_ && (forecast() || forecast_.clear())) {
     soon_ = count_look(points && is_imminent(), soon_);
-    if (soon_ > 0 && is_last_chance()) soon_ = kSoonLooks;
+    if (soon_ > 0 && is_last_chance()) soon_ = limits::kSoonLooks;
   }
-  if (level_ == WarningLevel::none && points && near_ >= kNearLooks)
+  if (level_ == WarningLevel::none && points && near_ >= limits::kNearLooks)
     level_ = WarningLevel::approaching;
   // Past the onset nothing is ahead any more, and nothing is taken back.
-  if (inside == false || far_ >= kFarLooks) level_ = WarningLevel::none;
-  if (points && soon_ >= kSoonLooks) level_ = WarningLevel::imminent;
+  if (inside == false || far_ >= limits::kFarLooks) level_ = WarningLevel::none;
+  if (points && soon_ >= limits::kSoonLooks) level_ = WarningLevel::imminent;
   return level_ != was;
 }
 
@@ -186,7 +166,7 @@ bool WarningLevels::lose() {
 }
 
 std::optional<double> WarningLevels::eta_forecast() const {
-  if (!forecast() || forecast()->error > kVague * forecast()->eta) return std::nullopt;
+  if (!forecast() || forecast()->error > limits::kVague * forecast()->eta) return std::nullopt;
   return forecast_.in_extension() ? -forecast()->eta : forecast()->eta;
 }
 

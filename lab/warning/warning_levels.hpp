@@ -12,7 +12,7 @@ namespace triax::lab {
 
 /// Watches the driven path and says `approaching`, `imminent` and, where somebody else found it,
 /// `lost`; a level is left in one way only, by clear evidence, and lost is never left within its
-/// stage.
+/// stage. The limits are in warning_limits.hpp.
 ///
 ///   approaching  little of η is left by the forecast and second-order work is low: along a strain
 ///   path

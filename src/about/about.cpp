@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <span>
 
 #include "lab/collapse/assessment_rules.hpp"
+#include "lab/health/sensor_limits.hpp"
 #include "lab/measured/assessment_limits.hpp"
-#include "sim/mechanics/axisymmetric.hpp"
+#include "lab/warning/warning_limits.hpp"
+#include "sim/mechanics/units.hpp"
 #include "src/output/output.hpp"
 #include "src/output/table.hpp"
 #include "src/output/terminal.hpp"
@@ -34,12 +37,25 @@ std::string part_of_rule(const char* label, std::string_view text) {
   return out;
 }
 
-std::string value_of(const lab::AssessmentLimit& limit) {
-  const double shown = limit.unit == "%"   ? limit.value * 100
-                       : limit.unit == "°" ? sim::degrees(limit.value)
-                                           : limit.value;
-  return fmt::format("{:.3g}{}{}", shown, limit.unit.empty() ? "" : " ", limit.unit);
+std::string value_of(const lab::Limit& limit) {
+  const auto unit = sim::find_unit(limit.unit);
+  return fmt::format("{:.4g}{}{}", limit.value / (unit ? unit->scale : 1),
+                     limit.unit.empty() ? "" : " ", limit.unit);
 }
+
+std::string reason_of(const lab::Limit& limit) {
+  return limit.origin.empty() ? std::string(limit.reason)
+                              : fmt::format("{} ({})", limit.reason, limit.origin);
+}
+
+std::string limits_text(const char* title, std::span<const lab::Limit> limits) {
+  Table table{.columns = {{"limit"}, {"value", Align::right}, {"reason (origin)"}}};
+  for (const lab::Limit& limit : limits)
+    table.rows.push_back({std::string(limit.name), value_of(limit), reason_of(limit)});
+  return fmt::format("\n{}\n\n{}", title, to_text(table));
+}
+
+}  // namespace
 
 std::string rules_text() {
   std::string out =
@@ -51,26 +67,23 @@ std::string rules_text() {
     out += part_of_rule("if", rule.condition);
     out += part_of_rule("then", rule.result);
   }
-  Table limits{.columns = {{"limit"}, {"value", Align::right}, {"reason"}}};
-  for (const lab::AssessmentLimit& limit : lab::assessment_limits::kAll)
-    limits.rows.push_back({std::string(limit.name), value_of(limit), std::string(limit.reason)});
-  return out + "\nLimits\n\n" + to_text(limits);
+  return out + limits_text("Limits of the assessment", lab::assessment_limits::kAll) +
+         limits_text("Limits of sensors and states", lab::sensor_limits::kAll) +
+         limits_text("Limits of warnings", lab::warning_limits::kAll);
 }
-
-}  // namespace
 
 Command about_command() {
   return {.name = "about",
           .purpose = "Print the version, the licence and the rules of an assessment",
           .description = {"With --rules, prints the table of rules that makes the result of an "
-                          "assessment from what was found in a test, and the limits of these "
-                          "rules."},
+                          "assessment from what was found in a test, and the limits of "
+                          "assessments, sensors and warnings."},
           .diagnostics = {{"unexpected argument 'ARGUMENT'; ...", "use no argument but --rules"}},
           .examples = {{"triax about", "print version and licence"},
                        {"triax about --rules", "print the rules of an assessment"}},
           .set_up = [](CLI::App& app) -> std::function<void()> {
             const auto rules = std::make_shared<bool>(false);
-            app.add_flag("--rules", *rules, "print the rules and limits of an assessment");
+            app.add_flag("--rules", *rules, "print the rules of an assessment and all limits");
             return [rules] { print(*rules ? rules_text() : about_text()); };
           }};
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "lab/health/sensor_limits.hpp"
+
 namespace triax::study {
 
 bool LineBreaks::is_faulty(std::int64_t reading) const {
@@ -15,7 +17,7 @@ bool LineBreaks::is_faulty(std::int64_t reading) const {
 bool LineBreaks::has_fault_between(std::int64_t from, std::int64_t to) const {
   return std::ranges::any_of(faults, [&](const lab::FaultySpan& span) {
     return lab::info(span.channel).raw.in_state &&
-           span.until - span.from >= lab::ChannelHealth::kGap && from < span.from &&
+           span.until - span.from >= lab::sensor_limits::kMissing.count() && from < span.from &&
            span.until < to;
   });
 }

@@ -74,7 +74,7 @@ TEST_CASE("a jump out of all that was read, to a constant, is a saturated conver
   for (double rail : {32767.0, -32768.0}) {
     WatchedChannel w;
     w.feed(500, live);
-    w.feed(ChannelHealth::kFlat + 1, [&](std::int64_t) { return rail; });
+    w.feed(sensor_limits::kStuckAfterJump.count() + 1, [&](std::int64_t) { return rail; });
     REQUIRE(w.health.dead());
     CHECK(w.health.dead()->fault == SensorFault::saturated);
     CHECK(w.health.dead()->from == 500);
@@ -93,7 +93,7 @@ TEST_CASE("missing: more than a few readings of a channel that was read at every
   const auto none = [](std::int64_t) { return kNone; };
   WatchedChannel w;
   w.feed(100, live);
-  w.feed(ChannelHealth::kGap, none);
+  w.feed(sensor_limits::kMissing.count(), none);
   CHECK(w.health.absent());
   CHECK_FALSE(w.health.dead());
   w.feed(1, none);
@@ -118,7 +118,7 @@ TEST_CASE("spikes of one to three readings are found where they are, four are no
     w.feed(width, [](std::int64_t i) { return live(i) - 800; });
     w.feed(100, live);
     INFO("width " << width);
-    if (width > ChannelHealth::kWidest) {
+    if (width > sensor_limits::kSpike.count()) {
       CHECK(w.spikes.empty());
       continue;
     }
@@ -171,7 +171,7 @@ TEST_CASE("a leap of which nobody learns whether it was a spike, for the channel
     WatchedChannel w;
     w.feed(500, live);
     w.feed(1, leap);
-    w.feed(ChannelHealth::kFlat + 1, [&](std::int64_t) { return rest; });
+    w.feed(sensor_limits::kStuckAfterJump.count() + 1, [&](std::int64_t) { return rest; });
     REQUIRE(w.health.dead());
     CHECK(w.health.dead()->from == 500);
   }
@@ -190,9 +190,9 @@ TEST_CASE("that a channel may rest from now on does not excuse the jump it rests
   w.feed(500, live);
   w.feed(5, [](std::int64_t) { return 32767.0; });
   w.health.may_rest(true);
-  w.feed(ChannelHealth::kFlat - 4, [](std::int64_t) { return 32767.0; });
+  w.feed(sensor_limits::kStuckAfterJump.count() - 4, [](std::int64_t) { return 32767.0; });
   CHECK(w.health.jumped_at() == 500);
-  CHECK(w.health.run() == ChannelHealth::kFlat);
+  CHECK(w.health.run() == sensor_limits::kStuckAfterJump.count());
   WatchedChannel quiet;
   quiet.feed(500, live);
   quiet.feed(5, [](std::int64_t) { return live(499); });

@@ -149,7 +149,7 @@ void check_always(const Subject& s, const std::vector<Fault>& faults, const Outc
   // The specimen itself must have collapsed.
   CHECK(out.summary.truth->lost_sustainability);
   for (const Fault& f : faults) {
-    // That a channel stands still shows after RecordHealth::kAtRest readings.
+    // That a channel stands still shows after sensor_limits::kStuck readings.
     const bool too_late = f.kind == FaultKind::stuck && out.last_time_s < f.from_s + 20;
     if (kills(f, s.test.type == "CSD") && !too_late && !masked(f, faults)) check_onset(s, f, out);
     if (drains(s, f, faults)) check_onset(s, f, out);

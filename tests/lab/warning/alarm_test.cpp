@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "lab/warning/warning_limits.hpp"
 #include "tests/lab/warning/loose_path.hpp"
 
 using namespace triax::lab;
@@ -233,7 +234,7 @@ TEST_CASE("Alarm: imminent within one load cycle of a cyclic failure", "[warning
   CHECK(alarm.level() == WarningLevel::imminent);
   REQUIRE(alarm.imminent());
   REQUIRE(alarm.imminent()->cyclic);
-  CHECK(alarm.imminent()->cyclic->probability >= CyclicWarning::kIssue);
+  CHECK(alarm.imminent()->cyclic->probability >= warning_limits::kIssue);
   CHECK(alarm.imminent()->cyclic->load_cycles > 6);
   CHECK(std::isnan(alarm.imminent()->eta));
   const Event* imminent = said.first(EventKind::imminent);

@@ -6,6 +6,8 @@
 #include <functional>
 #include <random>
 
+#include "lab/warning/warning_limits.hpp"
+
 using namespace triax::lab;
 
 namespace {
@@ -212,7 +214,7 @@ TEST_CASE("CyclicWarning: withdraws when the growth ends", "[warning][cyclic]") 
   CHECK(warning.is_imminent());
   apply(warning, path, 9);
   CHECK_FALSE(warning.is_imminent());
-  CHECK(warning.probability() < CyclicWarning::kWithdraw);
+  CHECK(warning.probability() < warning_limits::kWithdraw);
 }
 
 TEST_CASE("CyclicWarning: keeps no warning across an interruption", "[warning][cyclic]") {
