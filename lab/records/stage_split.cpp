@@ -18,14 +18,17 @@ constexpr std::size_t kShortest = 5;      ///< samples whose drainage counts
 constexpr double kDeviatorLoad_pa = 5e3;  ///< of a deviator load, as in infer_stages
 constexpr double kShareOfP = 0.1;         ///< of p′, if that is less
 constexpr double kHeld = 0.02;            ///< of a held q
-constexpr double kHeldOfMost = 0.9;    ///< of the largest q: what remains after a fall is not held
+constexpr double kMinHeld = 0.9;  ///< of the largest q: what remains after a fall is not held
+/// Of the change of confinement that follows: at a peak of q along a strain path q is constant,
+/// too.
+constexpr double kMinHeldShare = 0.5;
 constexpr double kConfinement = 0.05;  ///< of p′, that cell or back pressure take away meanwhile
 constexpr double kMinFlow = 1e-4;      ///< volume change that counts, of the specimen's volume
 constexpr double kNoises = 6;          ///< standard deviations that noise does not reach
 /// Below and above this f/(f + w) the drainage is closed and open.
 constexpr double kClosed = 1.0 / 3, kOpen = 2.0 / 3;
 /// Flow, in the smallest volume that counts, that must be missing before a valve counts as shut.
-constexpr double kMissed = 3;
+constexpr double kMinMissed = 3;
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -69,7 +72,7 @@ struct Course {
   std::vector<double> q, cell, back, p_eff;
   std::vector<double> volume, excess;  ///< volume over that of the specimen; u − u_b
   double q_noise = 0, cell_noise = 0, back_noise = 0, volume_noise = 0, excess_noise = 0;
-  double least_flow = 0;  ///< volumetric strain that counts
+  double min_flow = 0;  ///< volumetric strain that counts
   bool has_volume = false;
   /// A stress that counts.
   double worth(std::size_t i) const {
@@ -100,8 +103,8 @@ struct Drained {
   }
 };
 
-Drainage drainage_of(double flow, double driven, double least) {
-  if (std::max(flow, driven) < least) return Drainage::unknown;
+Drainage drainage_of(double flow, double driven, double min_flow) {
+  if (std::max(flow, driven) < min_flow) return Drainage::unknown;
   const double degree = flow / (flow + driven);
   if (degree < kClosed) return Drainage::closed;
   return degree > kOpen ? Drainage::open : Drainage::unknown;
@@ -118,8 +121,8 @@ std::vector<Stretch> stretches(const Course& course, std::size_t from, std::size
     Drained drained;
     for (std::size_t i = end; i-- > 0;) {
       drained.add(course, from + i);
-      const double least = std::min(drained.flow(course), drained.driven(course));
-      const double whole = cost[i] + least + StageSplit::kChange * course.least_flow;
+      const double misfit = std::min(drained.flow(course), drained.driven(course));
+      const double whole = cost[i] + misfit + StageSplit::kChange * course.min_flow;
       if (whole < cost[end]) cost[end] = whole, begin[end] = i;
     }
   }
@@ -128,7 +131,7 @@ std::vector<Stretch> stretches(const Course& course, std::size_t from, std::size
     Drained drained;
     for (std::size_t i = begin[end]; i < end; ++i) drained.add(course, from + i);
     all.push_back({from + begin[end], from + end,
-                   drainage_of(drained.flow(course), drained.driven(course), course.least_flow),
+                   drainage_of(drained.flow(course), drained.driven(course), course.min_flow),
                    drained.flow(course)});
   }
   std::ranges::reverse(all);
@@ -143,7 +146,7 @@ std::size_t end_of_flow(const Course& course, const Stretch& open, const Stretch
   };
   const double level = median({at(closed.from), at(closed.until)});
   std::size_t shut = closed.from;
-  while (shut > open.from + 1 && std::fabs(course.volume[shut - 1] - level) < course.least_flow / 2)
+  while (shut > open.from + 1 && std::fabs(course.volume[shut - 1] - level) < course.min_flow / 2)
     --shut;
   return shut;
 }
@@ -164,7 +167,7 @@ std::vector<Stretch> joined_stretches(std::vector<Stretch> all, const Course& co
     const std::size_t shut = shuts ? end_of_flow(course, out.back(), next) : next.from;
     const bool is_short =
         shuts && out.back().flow * static_cast<double>(next.until - shut) <
-                     kMissed * course.least_flow * static_cast<double>(shut - out.back().from);
+                     kMinMissed * course.min_flow * static_cast<double>(shut - out.back().from);
     const bool joins = !out.empty() && (next.drainage == out.back().drainage || is_short ||
                                         next.drainage == Drainage::unknown);
     if (joins) {
@@ -207,7 +210,7 @@ bool is_preparation(const Course& course, std::size_t until) {
     cell.add(course.cell[i]);
   }
   return cell.beyond(kNoises * course.cell_noise) > kDeviatorLoad_pa ||
-         std::max(drained.flow(course), drained.driven(course)) > course.least_flow;
+         std::max(drained.flow(course), drained.driven(course)) > course.min_flow;
 }
 
 /// Where the cell pressure, which increases in a stretch, is within noise of its largest value;
@@ -224,11 +227,26 @@ std::size_t end_of_ramp(const Course& course, const Stretch& stretch) {
       std::find_if(begin, end, [&](double cell) { return cell >= largest - noise; });
   const std::size_t ramp = stretch.from + static_cast<std::size_t>(reached - begin);
   // Strength that was lost before that was lost in shear: a test of several stages.
-  double most = 0;
-  for (std::size_t i = stretch.from; i <= ramp; ++i) most = std::max(most, std::fabs(course.q[i]));
+  double max_q = 0;
+  for (std::size_t i = stretch.from; i <= ramp; ++i)
+    max_q = std::max(max_q, std::fabs(course.q[i]));
   const bool lost = std::fabs(course.q[ramp]) <
-                    (1 - assessment_limits::kLossOfStrength) * most - kNoises * course.q_noise;
+                    (1 - assessment_limits::kLossOfStrength) * max_q - kNoises * course.q_noise;
   return lost ? stretch.from : ramp;
+}
+
+/// By how much the cell pressure or, through an open valve, the back pressure changes from `from`
+/// on as long as `lasts`.
+template <class Lasts>
+double change_of_confinement(const Course& course, const Stretch& stretch, std::size_t from,
+                             const Lasts& lasts) {
+  Range cell, back;
+  for (std::size_t i = from; i < stretch.until && lasts(i); ++i) {
+    cell.add(course.cell[i]);
+    if (stretch.drainage == Drainage::open) back.add(course.back[i]);
+  }
+  return std::max(cell.beyond(kNoises * course.cell_noise),
+                  back.beyond(kNoises * course.back_noise));
 }
 
 /// The first sample from which q is constant while the cell pressure or the back pressure changes
@@ -237,21 +255,19 @@ std::size_t start_of_constant_q(const Course& course, const Stretch& stretch) {
   std::vector<double> largest(stretch.until - stretch.from + 1, 0);  // |q| from there on
   for (std::size_t i = stretch.until; i-- > stretch.from;)
     largest[i - stretch.from] = std::max(largest[i - stretch.from + 1], std::fabs(course.q[i]));
-  const double least = kHeldOfMost * largest.front();
+  const double min_held = kMinHeld * largest.front();
   for (std::size_t from = stretch.from; from < stretch.until; ++from) {
     const double q = course.q[from], size = std::fabs(q);
     const double held = std::max(kHeld * size, kNoises * course.q_noise);
-    if (!is_loaded(course, from) || size < least || largest[from - stretch.from] > size + held)
+    if (!is_loaded(course, from) || size < min_held || largest[from - stretch.from] > size + held)
       continue;
-    const bool is_open = stretch.drainage == Drainage::open;
-    Range cell, back;
-    for (std::size_t i = from; i < stretch.until && std::fabs(course.q[i] - q) <= held; ++i) {
-      cell.add(course.cell[i]);
-      if (is_open) back.add(course.back[i]);
-      const double moved = std::max(cell.beyond(kNoises * course.cell_noise),
-                                    back.beyond(kNoises * course.back_noise));
-      if (moved > kConfinement * course.p_eff[stretch.from]) return from;
-    }
+    const double held_change = change_of_confinement(
+        course, stretch, from, [&](std::size_t at) { return std::fabs(course.q[at] - q) <= held; });
+    const double change =
+        change_of_confinement(course, stretch, from, [](std::size_t) { return true; });
+    if (held_change > kConfinement * course.p_eff[stretch.from] &&
+        held_change > kMinHeldShare * change)
+      return from;
   }
   return stretch.until;
 }
@@ -277,7 +293,7 @@ void StageSplit::add(const Row& row) {
 }
 
 std::vector<StageSplit::Stage> StageSplit::stages(const SpecimenInfo& specimen) const {
-  const std::vector<Stage> one{
+  std::vector<Stage> one{
       {.line = samples_.empty() ? 0 : samples_.front().line, .role = StageRole::shear}};
   if (samples_.size() < kFewest || !specimen.height_m || !specimen.diameter_m) return one;
   const double area = std::numbers::pi / 4 * *specimen.diameter_m * *specimen.diameter_m;
@@ -298,7 +314,7 @@ std::vector<StageSplit::Stage> StageSplit::stages(const SpecimenInfo& specimen) 
   course.back_noise = noise_of(course.back);
   course.volume_noise = noise_of(course.volume);
   course.excess_noise = noise_of(course.excess);
-  course.least_flow = std::max(kMinFlow, kNoises * course.volume_noise);
+  course.min_flow = std::max(kMinFlow, kNoises * course.volume_noise);
   course.volume = without_spikes(course.volume);
   course.excess = without_spikes(course.excess);
 

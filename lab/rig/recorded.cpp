@@ -237,11 +237,16 @@ void RecordedRig::Impl::split_stages(const std::vector<StageSplit::Stage>& found
     else if (info.role == StageRole::shear || info.role == StageRole::unknown)
       info.role = StageRole::hold;
     if (info.role != StageRole::shear) continue;
-    if (found[i].control != AxialControl::unknown) info.control = found[i].control;
+    const bool shows_control = found[i].control != AxialControl::unknown;
+    if (shows_control) info.control = found[i].control;
     if (only.drainage != Drainage::unknown) info.drainage = only.drainage;
     header.guesses.push_back(stage_guess(summaries[i], info, header.specimen));
     if (found[i].drainage == Drainage::unknown && only.drainage == Drainage::unknown)
       ask_other_drainage(header.guesses.back(), info);
+    // The record may end soon after a peak of q.
+    if (shows_control)
+      header.guesses.back().otherwise.push_back(
+          {fmt::format("stages.{}.control", info.number), "displacement"});
   }
   header.guesses.insert(header.guesses.begin(), split_guess(header.stages, stage_lines));
 }

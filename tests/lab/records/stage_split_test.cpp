@@ -162,6 +162,14 @@ TEST_CASE("StageSplit: a peak of q at a constant cell pressure is no held q") {
   CHECK(log.stages().back().control == AxialControl::unknown);
 }
 
+TEST_CASE("StageSplit: a peak of q along a strain path is no held q") {
+  LoggedRows log = consolidated_rows();
+  log.go(100, change_of(80, 0, 60, 60, 1000));
+  log.go(20, change_of(0, 0, 12, 12, 200));
+  log.go(100, change_of(-60, 0, 60, 60, 1000));
+  CHECK(log.stages().back().control == AxialControl::unknown);
+}
+
 TEST_CASE("StageSplit: a fall that the drainage cannot follow does not shut the valve") {
   LoggedRows log = consolidated_rows();
   log.go(300, change_of(80, 0, 0, 0, -1000));
