@@ -453,6 +453,18 @@ constexpr auto kRules = std::to_array<AssessmentRule>({
                    const Draft&) { return !e.loss_of_control && e.zero_stress && !is_cyclic(e); },
      .apply = [](const Evidence& e,
                  Draft& d) { take_loss_of_control(*e.zero_stress, d.collapse); }},
+    {.name = "zero stress without an onset",
+     .condition = "the row above, and neither a collapse nor a failure was found",
+     .result = "not assessed from that reading",
+     .applies =
+         [](const Evidence& e, const Draft& d) {
+           return !e.loss_of_control && e.zero_stress && !is_cyclic(e) && !d.collapse.onset;
+         },
+     .apply =
+         [](const Evidence& e, Draft& d) {
+           d.collapse.end_at(e.zero_stress->instant.reading,
+                             "the specimen lost all its stress, and no onset was found");
+         }},
     {.name = "cyclic mobility",
      .condition = "cycles reached a limit of liquefaction and were carried afterwards",
      .result = "cyclic mobility. Onset: the first of the limit and the loss",

@@ -21,7 +21,7 @@ constexpr double kHeld = 0.02;            ///< of a held q
 constexpr double kMinHeld = 0.9;  ///< of the largest q: what remains after a fall is not held
 /// Of the change of confinement that follows: at a peak of q along a strain path q is constant,
 /// too.
-constexpr double kMinHeldShare = 0.5;
+constexpr double kMinHeldShare = 0.8;
 constexpr double kConfinement = 0.05;  ///< of p′, that cell or back pressure take away meanwhile
 constexpr double kMinFlow = 1e-4;      ///< volume change that counts, of the specimen's volume
 constexpr double kNoises = 6;          ///< standard deviations that noise does not reach

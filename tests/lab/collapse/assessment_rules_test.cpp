@@ -315,6 +315,15 @@ const std::map<std::string_view, std::function<Case()>>& cases() {
               .limit = s},
              "flow, onset 10 known at 15, loss of control 20, lost 0.95, work -0.20, inside"};
        }},
+      {"zero stress without an onset",
+       [=, &s] {
+         const auto gone = finding(95, 0, 1e3);
+         return Case{
+             {.zero_stress = gone, .points = 50, .limit = s},
+             "none, not assessed, until 95, onset -, loss of control 95",
+             {.worst = soft, .zero_stress = gone, .points = 50, .limit = s},
+             "flow, onset 10 known at 15, loss of control 95, lost 0.95, work -0.20, inside"};
+       }},
       {"cyclic mobility",
        [=, &s] {
          return Case{{.points = 50, .cycles = &liquefied, .limit = s},
