@@ -57,7 +57,7 @@ LOSES_THE_FIRST = 'sqlite3.connect("t.db", isolation_level=None).execute("DELETE
 
 class Campaign(unittest.TestCase):
     def campaign(self, program, *arguments):
-        with tempfile.TemporaryDirectory() as folder:
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
             return subprocess.run([sys.executable, CAMPAIGN, "--program", program, "--folder", folder, *arguments], capture_output=True,
                                   text=True, check=False)
 
@@ -70,7 +70,7 @@ class Campaign(unittest.TestCase):
         return done
 
     def notices(self, fault, kind, part, words):
-        with tempfile.TemporaryDirectory() as folder:
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
             faulty = pathlib.Path(folder) / "triax"
             faulty.write_text(FAULTY.format(python=sys.executable, triax=TRIAX, fault=fault), encoding="utf-8")
             faulty.chmod(0o755)
@@ -81,7 +81,7 @@ class Campaign(unittest.TestCase):
         self.assertRegex(done.stdout, r"(?m)^all +1 +0 +1$")
 
     def notices_on_a_rig(self, part, hold, words, at_going_on="pass", at_its_end="pass"):
-        with tempfile.TemporaryDirectory() as folder:
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
             faulty = pathlib.Path(folder) / "triax"
             faulty.write_text(FAULTY_ON_A_RIG.format(python=sys.executable, triax=TRIAX, at_going_on=at_going_on, at_its_end=at_its_end),
                               encoding="utf-8")
