@@ -169,7 +169,7 @@ void ChannelHealth::follow_run(std::int64_t number, double value) {
   noise_.add(value);
   if (noise_.run() == 0) return;
   if (noise_.run() == 1) run_from_ = number;
-  if (rests_rightly()) return;
+  if (may_be_at_rest()) return;
   const auto limit = noise_.impossible_run();
   if (!limit) return;
   const auto wait = static_cast<std::int64_t>(
@@ -302,7 +302,7 @@ std::int64_t ChannelHealth::first_doubt() const {
   if (gap_ > 0 && steady_ >= limits::kRegular.count()) first = std::min(first, gap_from_);
   if (leap_) first = std::min(first, *leap_);
   if (jump_ && noise_.run() < limits::kStuckAfterJump.count()) first = std::min(first, jump_begin_);
-  if (!rests_rightly() && noise_.run() > 0 && noise_.impossible_run())
+  if (!may_be_at_rest() && noise_.run() > 0 && noise_.impossible_run())
     first = std::min(first, jump_ ? jump_begin_ : run_from_);
   return first;
 }

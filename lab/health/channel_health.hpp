@@ -117,7 +117,7 @@ class ChannelHealth {
   double leaves(const Level& level, int width, double first, double last) const;
 
   /// Whether the channel may rest as it does now.
-  bool rests_rightly() const {
+  bool may_be_at_rest() const {
     return may_rest_ || (printed_as_set_ && !(jump_ && jump_height_ > worth_));
   }
 

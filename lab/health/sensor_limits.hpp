@@ -99,9 +99,9 @@ inline constexpr Limit kShrinks{"|d| that shrinks, of its largest", 0.90, "%",
 inline constexpr Limit kGrows{"|d| that does not shrink, of its largest", 0.95, "%",
                               "noise does not change between the two"};
 inline constexpr Limit kReturned{"|d| at the back pressure again, of its largest", 0.10, "%",
-                                 "through an open valve u comes to u_b"};
+                                 "through an open valve u approaches u_b"};
 inline constexpr Limit kRests{"readings of |d| at the back pressure", 10, "readings",
-                              "a specimen that dilates passes it by"};
+                              "the pore pressure of a specimen that dilates passes it"};
 inline constexpr Limit kLeaves{"|d| that contradicts an open valve, of its largest", 1.0 / 3, "%",
                                "through an open valve u stays at u_b"};
 inline constexpr Limit kLoading{"change of total p that u must answer, of p′₀", 0.15, "%",

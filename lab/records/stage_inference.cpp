@@ -191,7 +191,8 @@ void StageSummary::add(const Row& row) {
 
 std::vector<StageSummary> summarise_stages(
     TableReader& reader, const std::function<int(double value, std::int64_t line)>& number_of,
-    const std::optional<double>& held_cell_pressure, std::span<const std::int64_t> stage_lines) {
+    const std::optional<double>& held_cell_pressure, std::span<const std::int64_t> stage_lines,
+    const std::function<void(const Row&)>& each) {
   constexpr std::size_t kMostStages = 10'000;
   std::vector<StageSummary> stages;
   Row row;
@@ -207,6 +208,7 @@ std::vector<StageSummary> summarise_stages(
       stages.emplace_back().number = number;
     }
     stages.back().add(row);
+    if (each) each(row);
   }
   return stages;
 }

@@ -52,10 +52,12 @@ struct StageSummary {
 /// Reads all rows once. `number_of` turns the stage column's value in a line into a stage number.
 /// `held_cell_pressure` (Pa) is that of each row of a table without a column of it. `stage_lines`
 /// are the first lines of stage 1, 2, ... of a table without a stage column; empty: all is stage 1.
+/// `each` is called with each row.
 std::vector<StageSummary> summarise_stages(
     TableReader& reader, const std::function<int(double value, std::int64_t line)>& number_of,
     const std::optional<double>& held_cell_pressure = {},
-    std::span<const std::int64_t> stage_lines = {});
+    std::span<const std::int64_t> stage_lines = {},
+    const std::function<void(const Row&)>& each = {});
 
 /// Number of the stage of a line, from the first line of each stage.
 int stage_at_line(std::span<const std::int64_t> stage_lines, std::int64_t line);

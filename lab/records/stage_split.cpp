@@ -7,14 +7,15 @@
 #include <numbers>
 #include <optional>
 
+#include "lab/base/statistics.hpp"
 #include "lab/measured/assessment_limits.hpp"
 
 namespace triax::lab {
 namespace {
 
-constexpr std::size_t kFewest = 20;       ///< samples that are split
+constexpr std::size_t kMinSamples = 20;   ///< samples that are split
 constexpr std::size_t kFirst = 5;         ///< samples that show the load cell without a load
-constexpr std::size_t kShortest = 5;      ///< samples whose drainage counts
+constexpr std::size_t kMinStretch = 5;    ///< samples whose drainage counts
 constexpr double kDeviatorLoad_pa = 5e3;  ///< of a deviator load, as in infer_stages
 constexpr double kShareOfP = 0.1;         ///< of p′, if that is less
 constexpr double kHeld = 0.02;            ///< of a held q
@@ -30,20 +31,13 @@ constexpr double kClosed = 1.0 / 3, kOpen = 2.0 / 3;
 /// Flow, in the smallest volume that counts, that must be missing before a valve counts as shut.
 constexpr double kMinMissed = 3;
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
-/// Standard deviation of the noise, from the second differences.
+/// Standard deviation of the noise, from the second differences; 0 of less than three values.
 double noise_of(std::span<const double> values) {
   std::vector<double> bends;
   for (std::size_t i = 1; i + 1 < values.size(); ++i)
     if (const double bend = values[i + 1] - 2 * values[i] + values[i - 1]; !std::isnan(bend))
       bends.push_back(std::fabs(bend));
-  return median(std::move(bends)) / 0.6745 / std::sqrt(6.0);
+  return bends.empty() ? 0 : median(std::move(bends)) / 0.6745 / std::sqrt(6.0);
 }
 
 /// The median of each value and its two neighbours: without single outliers.
@@ -72,7 +66,8 @@ struct Course {
   std::vector<double> q, cell, back, p_eff;
   std::vector<double> volume, excess;  ///< volume over that of the specimen; u − u_b
   double q_noise = 0, cell_noise = 0, back_noise = 0, volume_noise = 0, excess_noise = 0;
-  double min_flow = 0;  ///< volumetric strain that counts
+  double unloaded_q = 0;  ///< what the load cell shows without a load
+  double min_flow = 0;    ///< volumetric strain that counts
   bool has_volume = false;
   /// A stress that counts.
   double worth(std::size_t i) const {
@@ -157,7 +152,7 @@ std::size_t end_of_flow(const Course& course, const Stretch& open, const Stretch
 std::vector<Stretch> joined_stretches(std::vector<Stretch> all, const Course& course) {
   for (std::size_t i = all.size(); i-- > 0;) {
     const bool shows_none =
-        all[i].drainage == Drainage::unknown || all[i].until - all[i].from < kShortest;
+        all[i].drainage == Drainage::unknown || all[i].until - all[i].from < kMinStretch;
     if (shows_none && i + 1 < all.size()) all[i].drainage = all[i + 1].drainage;
   }
   std::vector<Stretch> out;
@@ -183,7 +178,7 @@ std::vector<Stretch> joined_stretches(std::vector<Stretch> all, const Course& co
 }
 
 double load(const Course& course, std::size_t i) {
-  return std::fabs(course.q[i] - median({course.q.begin(), course.q.begin() + kFirst}));
+  return std::fabs(course.q[i] - course.unloaded_q);
 }
 
 bool is_loaded(const Course& course, std::size_t i) {
@@ -202,7 +197,7 @@ std::optional<std::size_t> start_of_load(const Course& course) {
 
 /// Before `until` the cell pressure, the pore pressure or the volume changed.
 bool is_preparation(const Course& course, std::size_t until) {
-  if (until < kFewest / 2) return false;
+  if (until < kMinSamples / 2) return false;
   Drained drained;
   Range cell;
   for (std::size_t i = 0; i < until; ++i) {
@@ -295,7 +290,7 @@ void StageSplit::add(const Row& row) {
 std::vector<StageSplit::Stage> StageSplit::stages(const SpecimenInfo& specimen) const {
   std::vector<Stage> one{
       {.line = samples_.empty() ? 0 : samples_.front().line, .role = StageRole::shear}};
-  if (samples_.size() < kFewest || !specimen.height_m || !specimen.diameter_m) return one;
+  if (samples_.size() < kMinSamples || !specimen.height_m || !specimen.diameter_m) return one;
   const double area = std::numbers::pi / 4 * *specimen.diameter_m * *specimen.diameter_m;
   const double volume = area * *specimen.height_m;
   Course course;
@@ -308,6 +303,9 @@ std::vector<StageSplit::Stage> StageSplit::stages(const SpecimenInfo& specimen) 
     course.volume.push_back(s.volume / volume);
     course.excess.push_back(std::isnan(s.back) ? pore : pore - s.back);
   }
+  std::vector<double> first(course.q.begin(), course.q.begin() + kFirst);
+  std::erase_if(first, [](double q) { return std::isnan(q); });
+  course.unloaded_q = median(std::move(first));
   course.has_volume = !std::isnan(samples_.back().volume);
   course.q_noise = noise_of(course.q);
   course.cell_noise = noise_of(course.cell);
@@ -329,7 +327,7 @@ std::vector<StageSplit::Stage> StageSplit::stages(const SpecimenInfo& specimen) 
                        is_open ? StageRole::consolidation : StageRole::unknown, s.drainage});
       // A B check that is taken back is two stages.
       const std::size_t top = end_of_ramp(course, s);
-      if (!is_open && top > s.from && top + kShortest < s.until)
+      if (!is_open && top > s.from && top + kMinStretch < s.until)
         found.push_back({samples_[top].line, StageRole::unknown, s.drainage});
     }
   const auto is_loaded_before = [&](std::size_t end) {

@@ -102,16 +102,19 @@ struct RecordedRig::Impl {
   void apply_values(const std::vector<SetValue>& stated, bool stages);
   void report_contradiction(const SpecimenInfo& before, const std::string& where);
   void settle_stages();
-  std::vector<StageSplit::Stage> stages_of_readings();
+  void settle_stages_by_readings();
   void split_stages(const std::vector<StageSplit::Stage>& found);
   void settle_cell_pressure();
   void settle_channels();
-  void settle_drainage(StageInfo& only, Drainage shown);
+  void settle_drainage(StageInfo& only, Drainage shown,
+                       const std::optional<std::vector<StageSummary>>& known);
   void settle_named_drainage(StageInfo& only, const TestType& type);
   void settle_drainage_by_columns(StageInfo& only);
   bool name_stage(StageInfo& info) const;
-  std::vector<StageSummary> stages_of_rows();
-  std::vector<StageSummary> stages_of(ByteSource& bytes, const TableLayout& table);
+  using EachRow = std::function<void(const Row&)>;
+  std::vector<StageSummary> stages_of_rows(const EachRow& each = {});
+  std::vector<StageSummary> stages_of(ByteSource& bytes, const TableLayout& table,
+                                      const EachRow& each = {});
   std::optional<std::vector<StageSummary>> sample_of_undrained_test();
   void check_stages_to_set(const std::vector<SetValue>& stated);
   std::set<int> stages_in_rows() const;
@@ -187,13 +190,7 @@ void RecordedRig::Impl::settle_stages() {
   if (!layout.has(ColumnRole::stage)) {
     header.stages.push_back(single_stage(layout, header.programme));
     if (layout.dialect.stage.drainage != Drainage::unknown) return;
-    const auto found = stages_of_readings();
-    if (found.size() > 1) {
-      split_stages(found);
-      return;
-    }
-    header.guesses.push_back(single_stage_guess(header.stages.front()));
-    settle_drainage(header.stages.front(), found.front().drainage);
+    settle_stages_by_readings();
     return;
   }
   // The file numbers its stages but does not say what they are: look at all of it once.
@@ -207,20 +204,23 @@ void RecordedRig::Impl::settle_stages() {
   look_for_typed_height(summaries);
 }
 
-/// The stages that the readings of a raw record without a stage column show; else a single one.
-std::vector<StageSplit::Stage> RecordedRig::Impl::stages_of_readings() {
+/// Those that the readings of a raw record without a stage column show; else the only one.
+void RecordedRig::Impl::settle_stages_by_readings() {
   const bool has_other_volume =
       !header.has(Quantity::back_volume) && header.has(Quantity::volumetric_strain);
-  if (!header.is_raw() || has_other_volume) return {{}};
-  std::vector<Warning> repeated;
-  Findings scratch(repeated);
-  TableReader reader(*source, layout, scratch);
-  StageSplit split;
-  for (Row drawn; reader.next(drawn);) {
-    if (held_cell_pressure) drawn.si[index(Quantity::cell_pressure)] = *held_cell_pressure;
-    split.add(drawn);
+  std::optional<std::vector<StageSummary>> summaries;
+  std::vector<StageSplit::Stage> found(1);
+  if (header.is_raw() && !has_other_volume) {
+    StageSplit split;
+    summaries = stages_of_rows([&](const Row& drawn) { split.add(drawn); });
+    found = split.stages(header.specimen);
   }
-  return split.stages(header.specimen);
+  if (found.size() > 1) {
+    split_stages(found);
+    return;
+  }
+  header.guesses.push_back(single_stage_guess(header.stages.front()));
+  settle_drainage(header.stages.front(), found.front().drainage, summaries);
 }
 
 /// Takes the stages that the readings show, in place of the only one.
@@ -313,14 +313,15 @@ void RecordedRig::Impl::settle_channels() {
 }
 
 /// The only stage of a record that does not say whether it was drained: its readings may (`shown`:
-/// StageSplit), else the type of the test, else its columns.
-void RecordedRig::Impl::settle_drainage(StageInfo& only, Drainage shown) {
+/// StageSplit), else the type of the test, else its columns. `known`: the summaries of all rows.
+void RecordedRig::Impl::settle_drainage(StageInfo& only, Drainage shown,
+                                        const std::optional<std::vector<StageSummary>>& known) {
   if (const TestType* type = find_test_type(header.programme)) {
     settle_named_drainage(only, *type);
     return;
   }
   if (only.drainage == Drainage::unknown && header.has(Quantity::back_volume)) {
-    const auto summaries = stages_of_rows();
+    const auto summaries = known ? *known : stages_of_rows();
     only.drainage =
         shown != Drainage::unknown ? shown : infer_stages(summaries, header.specimen)[0].drainage;
     header.guesses.push_back(stage_guess(summaries.front(), only, header.specimen));
@@ -390,17 +391,19 @@ std::optional<std::vector<StageSummary>> RecordedRig::Impl::sample_of_undrained_
   return summaries;
 }
 
-std::vector<StageSummary> RecordedRig::Impl::stages_of_rows() { return stages_of(*source, layout); }
+std::vector<StageSummary> RecordedRig::Impl::stages_of_rows(const EachRow& each) {
+  return stages_of(*source, layout, each);
+}
 
-std::vector<StageSummary> RecordedRig::Impl::stages_of(ByteSource& bytes,
-                                                       const TableLayout& table) {
+std::vector<StageSummary> RecordedRig::Impl::stages_of(ByteSource& bytes, const TableLayout& table,
+                                                       const EachRow& each) {
   std::vector<Warning> repeated;
   Findings scratch(repeated);
   TableReader reader(bytes, table, scratch);
   StageNumbers numbers(layout.file);
   auto summaries = summarise_stages(
       reader, [&](double value, std::int64_t line) { return numbers.of(value, line, scratch); },
-      held_cell_pressure, stage_lines);
+      held_cell_pressure, stage_lines, each);
   stage_names = reader.stage_names();
   return summaries;
 }
